@@ -62,11 +62,11 @@ bool full_in_two(const Study& s) { return s.rank_deficient(1) && s.full_rank(2);
 
 /// Of the linear analysis, so it is SOM and TOM that decide; the motion itself is shown beside them.
 std::vector<Claim> linear_analysis() {
-  const auto with = [](int anchors) { return std::cref(world(1, anchors)); };
-  const Studies all("by anchors", {0, 1, 2, 3}, with), one_and_two("by anchors", {1, 2}, with);
-  const Study &one = with(1), &two = with(2), &at_once = world(1, 2, 1);
-  const bool one_does = full_in_two(one) && with(0).get().rank_deficient(3),
-             always_two = full_in_two(two) && full_in_two(with(3)),
+  const Studies all = by_anchors({0, 1, 2, 3}, {.system = "planar"}),
+                one_and_two = by_anchors({1, 2}, {.system = "planar"});
+  const Study &one = world(1, 1), &two = world(1, 2), &at_once = world(1, 2, 1);
+  const bool one_does = full_in_two(one) && world(1, 0).rank_deficient(3),
+             always_two = full_in_two(two) && full_in_two(world(1, 3)),
              in_truth_two_and_one = one.true_dimension() > 0 && fully_observable(at_once);
   return {
       studied(5, "4.1-anchors-needed", "above (4.21)",
@@ -91,7 +91,7 @@ Claim range_and_bearing() {
   const auto with = [](int anchors, int segments = 3) -> const Study& {
     return study({.system = "planar-rb", .anchors = anchors, .segments = segments});
   };
-  const Studies by_anchors("by anchors", {0, 1, 2}, [&](int n) { return std::cref(with(n)); });
+  const Studies all = by_anchors({0, 1, 2}, {.system = "planar-rb"});
   const Study &one = with(1), &at_once = with(2, 1);
   const bool in_truth = one.true_dimension() > 0 && at_once.true_dimension() == 0,
              by_matrices = one.rank_deficient(3) && at_once.full_rank(1),
@@ -100,7 +100,7 @@ Claim range_and_bearing() {
       4, "4.1-range-bearing", "above (4.21), of [3, 85]",
       "With range and bearing one segment and two anchors are needed",
       {.printed = "one and two",
-       .measured = fmt::format("{}. The motion itself leaves {} in one segment with two", by_anchors.text(),
+       .measured = fmt::format("{}. The motion itself leaves {} in one segment with two", all.text(),
                                joined({at_once.true_dimension()})),
        .why = "so it is for the motion itself. For SOM and TOM one anchor in one segment is enough"},
       in_truth && by_matrices, in_truth && one_does);

@@ -37,10 +37,7 @@ bool leaves_distance_and_turn(const Study& s) { return s.along_spanned_by(named(
 
 const Vectors r_x = always({three(1, 0, 0)});
 
-/// With 1, 2 and 3 features.
-Studies by_features() {
-  return {"by features", {1, 2, 3}, [](int features) { return std::cref(relative(features)); }};
-}
+Studies maps_of_three() { return by_features({1, 2, 3}, {.system = "planar", .representation = "relative"}); }
 
 Claim measurement_matrix() {
   Worst worst;
@@ -64,7 +61,7 @@ Claim measurement_matrix() {
 }
 
 Claim instant_null_space() {
-  const Studies maps = by_features();
+  const Studies maps = maps_of_three();
   const auto found = maps.each([](const Study& s) { return s.left(1); });
   const bool basis = maps.all([](const Study& s) { return s.stripped_spanned_by(1, named({"depth"})); });
   return studied(
@@ -77,7 +74,7 @@ Claim instant_null_space() {
 }
 
 Claim orientation() {
-  const Studies maps = by_features();
+  const Studies maps = maps_of_three();
   std::vector<std::string> in_segment, along;
   for (const Study& s : maps) {
     in_segment.push_back(listed(s.observable(1)));
@@ -136,7 +133,7 @@ std::vector<Claim> ahead_and_abeam() {
 
 /// Two segments, whatever the number of features.
 std::vector<Claim> two_segments() {
-  const Studies maps = by_features();
+  const Studies maps = maps_of_three();
   const bool by_matrices = maps.all([](const Study&s) { return s.full_rank(2); }),
              printed = maps.all(fully_observable), turns = maps.all(leaves_the_turn);
   return {studied(maps.cases(), "4.1-relative-two-segments", "below (4.25)",

@@ -163,9 +163,7 @@ std::vector<Claim> two_segments() {
 }
 
 Claim range_and_bearing() {
-  const Studies maps("by features", {1, 2}, [](int features) {
-    return std::cref(study({.system = "inertial-rb", .representation = "relative", .features = features}));
-  });
+  const Studies maps = by_features({1, 2}, {.system = "inertial-rb", .representation = "relative"});
   const bool as_matrices = maps.all([](const Study& s) { return s.left(2) == 0; });
   return studied(
       maps.cases(), "4.2-range-bearing-relative", "below (4.28), of [19]",

@@ -17,12 +17,8 @@ const Study& world(int features = 1, int anchors = 0, const std::string& motion 
   return study({.system = "planar-cv", .features = features, .anchors = anchors, .motion = motion});
 }
 
-Studies by_anchors(std::initializer_list<int> numbers) {
-  return {"by anchors", numbers, [](int anchors) { return std::cref(world(1, anchors)); }};
-}
-
 std::vector<Claim> without_anchors() {
-  const Studies maps("by features", {1, 2, 3}, [](int features) { return std::cref(world(features)); });
+  const Studies maps = by_features({1, 2, 3}, {.system = "planar-cv"});
   const Study& s = world();
   const auto at_once = s.observable(1), in_som = s.observable(3), along = s.observable_along();
   const bool turns = s.along_contains(named({"rotation", "scale"}));
@@ -92,7 +88,7 @@ Claim two_anchors() {
 }
 
 Claim three_anchors() {
-  const Studies anchored = by_anchors({3, 4});
+  const Studies anchored = by_anchors({3, 4}, {.system = "planar-cv"});
   const auto found = anchored.each([](const Study& s) { return s.left(1); });
   const bool basis = anchored.all([](const Study& s) { return s.stripped_spanned_by(1, named({"depth"})); });
   return studied(
@@ -140,7 +136,7 @@ Claim f_null_space() {
 }
 
 Claim three_anchors_two_segments() {
-  const Studies anchored = by_anchors({3, 4});
+  const Studies anchored = by_anchors({3, 4}, {.system = "planar-cv"});
   return studied(anchored.cases(), "4.3-three-anchors-two-segments", "below (4.48)",
                  "With more than two anchors SOM and TOM have full rank in two segments",
                  {.printed = "0", .measured = anchored.text()},

@@ -31,9 +31,8 @@ std::vector<int> dimensions_with_zero(const Study& s) {
 
 bool leaves_turn_and_scale(const Study& s) { return s.along_spanned_by(named({"rotation", "scale"})); }
 
-/// With 1, 2 and 3 features.
-Studies by_features() {
-  return {"by features", {1, 2, 3}, [](int features) { return std::cref(relative(features)); }};
+Studies maps_of_three() {
+  return by_features({1, 2, 3}, {.system = "planar-cv", .representation = "relative"});
 }
 
 /// A row of H or H F in the printed order of states, with the printed sign of r.
@@ -118,7 +117,7 @@ Claim more_segments() {
 }
 
 Claim more_features() {
-  const Studies maps = by_features();
+  const Studies maps = maps_of_three();
   const Cases zero = by_number({1, 2, 3}, [](int features) -> CaseResult {
     const std::vector<int> left = dimensions_with_zero(relative(features));
     return {joined(left), left[1] == 2};
@@ -147,11 +146,11 @@ Claim must_move() {
                       "{}: moving {}, at rest {}; states outside the null space of the motion itself: {}",
                       legend, s.numbers(), rest.numbers(), listed(seen)),
                   .why = "moving recovers them up to scale and turn, with any number of features"},
-                 lost && recovered, lost && by_features().all(leaves_turn_and_scale));
+                 lost && recovered, lost && maps_of_three().all(leaves_turn_and_scale));
 }
 
 Claim never_full() {
-  const Studies maps = by_features();
+  const Studies maps = maps_of_three();
   const auto unless_zero = [](const Study& s) { return s.full_rank(3) && dimensions_with_zero(s)[2] > 0; };
   const Cases in_truth = by_number({1, 2, 3}, [](int features) -> CaseResult {
     const Study& s = relative(features);

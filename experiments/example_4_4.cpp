@@ -142,7 +142,7 @@ Basis turn_about_line(const Course& course) {
 }
 
 Claim two_segments() {
-  const Studies cases("by anchors", {1, 2, 3, 4}, [](int anchors) { return std::cref(world(anchors)); });
+  const Studies cases = by_anchors({1, 2, 3, 4}, {.system = "cv6"});
   const bool all = for_all({3, 4}, [](int n) { return observable_in_two(world(n)); });
   const Study& two = world(2);
   return studied(

@@ -88,37 +88,33 @@ Plot orientation_over_time() {
   return {"fig-4.5", "Marginal information of the heading, by where Jacobians are taken", 1, {p}};
 }
 
-Panel mode_panel(const std::string& title, const Run& run, const std::string& x_name, const Direction& x_mode,
-                 const std::string& y_name, const Direction& y_mode) {
-  Panel p{title, "time, s", "information, 1/m^2", {}};
-  p.curves = {over_time(x_name, run, x_mode, Color::blue),
-              over_time(y_name, run, y_mode, Color::orange, Style::dashed)};
-  return p;
-}
-
 /// Three panels: Figure 4.6 (a), (b), (c).
 std::vector<Panel> modes_of(const Run& run, const std::string& whose) {
+  const auto panel = [&](const std::string& letter, const std::string& x_name, const Direction& x_mode,
+                         const std::string& y_name, const Direction& y_mode) {
+    Panel p{letter + " " + whose, "time, s", "information, 1/m^2", {}};
+    p.curves = {over_time(x_name, run, x_mode, Color::blue),
+                over_time(y_name, run, y_mode, Color::orange, Style::dashed)};
+    return p;
+  };
   std::vector<Panel> panels{
-      mode_panel("(a) " + whose, run, "x_r + x_f1 + x_f2", sum({x, x1, x2}), "y_r + y_f1 + y_f2",
-                 sum({y, y1, y2})),
-      mode_panel("(b) " + whose, run, "x_r - x_f1", difference(x, x1), "y_r - y_f1", difference(y, y1)),
-      mode_panel("(c) " + whose, run, "x_f1 - x_f2", difference(x1, x2), "y_f1 - y_f2", difference(y1, y2))};
+      panel("(a)", "x_r + x_f1 + x_f2", sum({x, x1, x2}), "y_r + y_f1 + y_f2", sum({y, y1, y2})),
+      panel("(b)", "x_r - x_f1", difference(x, x1), "y_r - y_f1", difference(y, y1)),
+      panel("(c)", "x_f1 - x_f2", difference(x1, x2), "y_f1 - y_f2", difference(y1, y2))};
   panels[0].y_range = {-0.05, 1};
   return panels;
 }
 
 Plot modes_over_time() {
-  std::vector<Panel> truth = modes_of(usual(), "Jacobians at the truth");
+  const Run a_step_late(Setup{.jacobians = Jacobians::odometry_late});
+  std::vector<Panel> truth = modes_of(usual(), "Jacobians at the truth"),
+                     late = modes_of(a_step_late, "odometry a step late");
   truth[1].curves.push_back(over_time("distance", usual(), distance(x, x1), Color::green));
   truth[2].curves.push_back(over_time("distance", usual(), distance(x1, x2), Color::green));
-  const std::vector<Panel> late =
-      modes_of(Run(Setup{.jacobians = Jacobians::odometry_late}), "odometry a step late");
-  Plot plot{"fig-4.6", "Marginal information of modes", 2, {}};
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    plot.panels.push_back(truth[i]);
-    plot.panels.push_back(late[i]);
-  }
-  return plot;
+  return {"fig-4.6",
+          "Marginal information of modes",
+          2,
+          {truth[0], late[0], truth[1], late[1], truth[2], late[2]}};
 }
 
 }  // namespace

@@ -202,12 +202,11 @@ double Knowledge::marginal(const VectorXd& c) const {
 
 std::vector<Knowledge> course(const Setup& setup) {
   const Linearized steps(setup);
-  MatrixXd compass = MatrixXd::Zero(1, states);
-  compass(0, heading) = 1;
   MatrixXd noise_into = MatrixXd::Zero(states, 2);
   const Vector2d sigmas(setup.noise.sigma_speed_mps, setup.noise.sigma_turn_radps);
   RootInformation filter(states);
-  if (setup.sigma_heading_rad) filter.measure(compass, *setup.sigma_heading_rad);
+  if (setup.sigma_heading_rad)
+    filter.measure(VectorXd::Unit(states, heading).transpose(), *setup.sigma_heading_rad);
   std::vector<Knowledge> all;
   for (std::size_t k = 0; k < steps.measurements(); ++k) {
     if (k > 0) {

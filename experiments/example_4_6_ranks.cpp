@@ -123,10 +123,10 @@ Claim at_rest_rank() {
                 all.throughout && all.at_end[0] == 2 && none_alone);
 }
 
-/// Columns in units: everything moved north, moved east, turned about the origin.
-MatrixXd rigid_motions(const Run& run, std::size_t measurement) {
+/// Columns in units, at the end: everything moved north, moved east, turned about the origin.
+MatrixXd rigid_motions(const Run& run) {
   const auto& [first, second] = run.setup.features;
-  const auto& pose = run.drive[measurement].pose;
+  const auto& pose = run.drive.back().pose;
   MatrixXd all = MatrixXd::Zero(states, 3);
   for (const int i : {x, x1, x2}) all(i, 0) = 1, all(i + 1, 1) = 1;
   all.col(2) << Vector2d(-pose.y(), pose.x()) / unit_m, 1, Vector2d(-first.y(), first.x()) / unit_m,
@@ -145,7 +145,7 @@ Claim deficiency() {
   int most_missing = 0, least_missing = states;
   for (const Run& run : runs()) {
     const Knowledge& last = run.known.back();
-    const MatrixXd rigid = rigid_motions(run, run.drive.size() - 1);
+    const MatrixXd rigid = rigid_motions(run);
     modes = std::max(modes, not_among(rigid.leftCols(2), last.unobservable));
     turned = std::max(turned, not_among(rigid.rightCols(1), last.unobservable));
     const int missing = states - last.rank.rank;

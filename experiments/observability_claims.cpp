@@ -86,6 +86,16 @@ std::string key_of(const Case& c) {
                      c.change.name, c.segments, c.segment_s);
 }
 
+Studies by_number_of(const std::string& what, int Case::*number, std::initializer_list<int> numbers,
+                     Case which) {
+  Studies all("by " + what);
+  for (const int n : numbers) {
+    which.*number = n;
+    all.add(std::to_string(n) + ":", study(which));
+  }
+  return all;
+}
+
 }  // namespace
 
 Change turning() {
@@ -213,12 +223,6 @@ std::string Study::numbers() const {
 Studies::Studies(const std::string& what)
     : head_(what.empty() ? legend : std::string(legend) + ", " + what) {}
 
-Studies::Studies(const std::string& what, std::initializer_list<int> numbers,
-                 const std::function<std::reference_wrapper<const Study>(int)>& of)
-    : Studies(what) {
-  for (const int n : numbers) add(std::to_string(n) + ":", of(n));
-}
-
 const Study& Studies::add(const std::string& name, const Study& one) {
   lines_.push_back(name + " " + one.numbers());
   all_.emplace_back(one);
@@ -235,6 +239,14 @@ std::vector<int> Studies::each(const std::function<int(const Study&)>& of) const
   std::vector<int> numbers;
   for (const Study& s : all_) numbers.push_back(of(s));
   return numbers;
+}
+
+Studies by_features(std::initializer_list<int> numbers, Case which) {
+  return by_number_of("features", &Case::features, numbers, std::move(which));
+}
+
+Studies by_anchors(std::initializer_list<int> numbers, Case which) {
+  return by_number_of("anchors", &Case::anchors, numbers, std::move(which));
 }
 
 bool for_all(std::initializer_list<int> numbers, const std::function<bool(int)>& holds) {

@@ -141,12 +141,8 @@ inline constexpr char legend[] =
 class Studies {
  public:
   explicit Studies(const std::string& what = "");
-  /// One for each number, for example `by features`.
-  Studies(const std::string& what, std::initializer_list<int> numbers,
-          const std::function<std::reference_wrapper<const Study>(int)>& of);
   const Study& add(const std::string& name, const Study& one);
-  /// `LEGEND: planar 3/2/2 and 3; ...`, `LEGEND, by features: 1: 3/2/2 and 3; ...`
-  std::string text() const;
+  std::string text() const;  ///< `LEGEND, WHAT: planar 3/2/2 and 3; ...`
   int cases() const { return static_cast<int>(all_.size()); }
   auto begin() const { return all_.begin(); }
   auto end() const { return all_.end(); }
@@ -158,6 +154,10 @@ class Studies {
   std::vector<std::string> lines_;
   std::vector<std::reference_wrapper<const Study>> all_;
 };
+
+/// Of a case with each number of features or anchors: `LEGEND, by features: 1: 3/2/2 and 3; ...`
+Studies by_features(std::initializer_list<int> numbers, Case which);
+Studies by_anchors(std::initializer_list<int> numbers, Case which);
 
 /// By the motion itself; by the SOM of two segments as well; by neither, even in three.
 inline bool fully_observable(const Study& s) { return s.true_dimension() == 0; }

@@ -115,12 +115,12 @@ double direction_of(const Vector2d& p) { return std::atan2(p.y(), p.x()) * 180 /
 
 /// A layout like that of the figure, whose numbers are not printed.
 Plane drawn_landmarks(RandomStream& random) {
-  const auto at = [&](double from, double to) {
+  std::vector<Vector2d> places;  // to the left, ahead, and to the right
+  for (const auto& [from, to] : {std::pair(70, 100), std::pair(-10, 15), std::pair(-60, -25)}) {
     const double angle = random.uniform(from, to) * pi / 180, away = random.uniform(1, 2.5);
-    return Vector2d(away * std::cos(angle), away * std::sin(angle));
-  };
-  const Vector2d left = at(70, 100), ahead = at(-10, 15), right = at(-60, -25);
-  return Plane({left, ahead, right});
+    places.emplace_back(away * std::cos(angle), away * std::sin(angle));
+  }
+  return Plane(places);
 }
 
 Claim where_it_is_best(const Plane& plane) {

@@ -11,8 +11,7 @@ namespace incognita::observability_claims {
 /// Section 4.1: Gramian, SOM and TOM, what the method can show.
 std::vector<Claim> method_claims();
 
-namespace planar_cv {  // Example 4.3
-std::vector<Claim> relative_claims();
-}  // namespace planar_cv
+/// Example 4.3: the relative map.
+std::vector<Claim> planar_cv_relative_claims();
 
 }  // namespace incognita::observability_claims

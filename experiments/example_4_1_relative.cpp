@@ -29,10 +29,8 @@ VectorXd three(double rx, double ry, double theta) { return Eigen::Vector3d(thet
 const Study& straight_ahead() { return relative(1, "straight", feature_within("ahead", {5, 9}, {0, 0})); }
 const Study& abeam() { return relative(1, "straight", feature_within("abeam", {0, 0}, {3, 9})); }
 
-/// Whether the motion itself leaves the turn and nothing else.
 bool leaves_the_turn(const Study& s) { return s.along_spanned_by(named({"rotation"})); }
 
-/// Whether, with the feature straight ahead, the motion itself leaves its distance and the turn.
 bool leaves_distance_and_turn(const Study& s) { return s.along_spanned_by(named({"depth", "rotation"})); }
 
 const Vectors r_x = always({three(1, 0, 0)});
@@ -60,37 +58,34 @@ Claim measurement_matrix() {
                  worst, rounding);
 }
 
-Claim instant_null_space() {
+std::vector<Claim> one_segment() {
   const Studies maps = maps_of_three();
   const auto found = maps.each([](const Study& s) { return s.left(1); });
   const bool basis = maps.all([](const Study& s) { return s.stripped_spanned_by(1, named({"depth"})); });
-  return studied(
-      3, "4.1-relative-null-space", "(4.25)", "Null space of one segment: the distance of each feature",
-      {.printed = "one vector for each",
-       .measured =
-           fmt::format("dimension with 1/2/3 features in {} motions {}; the printed vectors span it: {}",
-                       motions, joined(found), yes_no(basis))},
-      basis);
-}
-
-Claim orientation() {
-  const Studies maps = maps_of_three();
   std::vector<std::string> in_segment, along;
   for (const Study& s : maps) {
     in_segment.push_back(listed(s.observable(1)));
     along.push_back(listed(s.observable_along()));
   }
   const std::vector<std::string> headings(3, "theta");
-  return studied(maps.cases(), "4.1-relative-orientation", "below (4.25)",
-                 "The orientation is the one state that is observable in one segment, however many features",
-                 {.printed = "orientation",
-                  .measured = fmt::format("states outside the null space with 1/2/3 features: of Q_1 {}; of "
-                                          "the motion itself {}, which leaves the turn of all: {}",
-                                          fmt::join(in_segment, "/"), fmt::join(along, "/"),
-                                          yes_no(maps.all(leaves_the_turn))),
-                  .why = "so it is by Q_1. The text itself doubts it (footnote 2): turning the vehicle and r "
-                         "of all features changes no measurement"},
-                 in_segment == headings && along == headings);
+  return {
+      studied(
+          3, "4.1-relative-null-space", "(4.25)", "Null space of one segment: the distance of each feature",
+          {.printed = "one vector for each",
+           .measured =
+               fmt::format("dimension with 1/2/3 features in {} motions {}; the printed vectors span it: {}",
+                           motions, joined(found), yes_no(basis))},
+          basis),
+      studied(maps.cases(), "4.1-relative-orientation", "below (4.25)",
+              "The orientation is the one state that is observable in one segment, however many features",
+              {.printed = "orientation",
+               .measured = fmt::format("states outside the null space with 1/2/3 features: of Q_1 {}; of "
+                                       "the motion itself {}, which leaves the turn of all: {}",
+                                       fmt::join(in_segment, "/"), fmt::join(along, "/"),
+                                       yes_no(maps.all(leaves_the_turn))),
+               .why = "so it is by Q_1. The text itself doubts it (footnote 2): turning the vehicle and r "
+                      "of all features changes no measurement"},
+              in_segment == headings && along == headings)};
 }
 
 Claim footnote() {
@@ -109,7 +104,6 @@ Claim footnote() {
       turn_alone);
 }
 
-/// One segment, with the feature straight ahead and abeam.
 std::vector<Claim> ahead_and_abeam() {
   const Study &s = straight_ahead(), &beside = abeam();
   const bool basis = s.stripped_spanned_by(1, r_x);
@@ -131,7 +125,6 @@ std::vector<Claim> ahead_and_abeam() {
           beside.stripped_spanned_by(1, always({three(0, 1, 0)})), beside.stripped_spanned_by(1, both))};
 }
 
-/// Two segments, whatever the number of features.
 std::vector<Claim> two_segments() {
   const Studies maps = maps_of_three();
   const bool by_matrices = maps.all([](const Study&s) { return s.full_rank(2); }),
@@ -210,7 +203,9 @@ Claim no_rotation() {
 }  // namespace
 
 std::vector<Claim> relative_claims() {
-  return concatenated({{measurement_matrix(), instant_null_space(), orientation(), footnote()},
+  return concatenated({{measurement_matrix()},
+                       one_segment(),
+                       {footnote()},
                        ahead_and_abeam(),
                        two_segments(),
                        straight_on(),

@@ -77,11 +77,9 @@ Claim few_anchors() {
 
 /// As printed: r in axes of the sensor, f in those of the world.
 Basis vectors_4_38(const Course& c) {
-  const SystemPoint& p = c.points[0];
-  const Matrix3d C = C_of(p.x.segment<3>(6));
-  const Vector3d zero = Vector3d::Zero(), r = p.x.tail<3>() - p.x.head<3>(),
-                 f = C.transpose() * p.u.head<3>();
-  return {twelve(zero, zero, zero, C * r), twelve(r.cross(f), zero, f, zero)};
+  const Begin b(c);
+  const Vector3d zero = Vector3d::Zero();
+  return {twelve(zero, zero, zero, b.C * b.r), twelve(b.r.cross(b.f), zero, b.f, zero)};
 }
 
 Claim anchored_null_space() {

@@ -14,14 +14,6 @@
 
 namespace incognita::observability_claims::inertial {
 
-Case world(int features, int anchors) {
-  return {.system = "inertial", .features = features, .anchors = anchors};
-}
-
-Case relative(int features) {
-  return {.system = "inertial", .representation = "relative", .features = features};
-}
-
 Case unaccelerated(Case which, Unaccelerated how) {
   which.motion = "unaccelerated";
   if (how == Unaccelerated::weightless)
@@ -106,20 +98,17 @@ Begin::Begin(const Course& course) {
 
 namespace {
 
-/// No turning, f held for a segment.
-const Study& level() {
-  const auto change = [](SystemText& text) {
+/// What the error form leaves with its own transitions, f held for a segment and without turning.
+int left_by_transitions(double sign) {
+  const auto level = [](SystemText& text) {
     MotionText held = text.motions.at(1);  // stationary
     std::erase_if(held.assignments, [](const NamedExpression& a) { return a.name[0] != 'w'; });
     held.name = "level";
     text.motions.push_back(held);
   };
-  return study({.system = "inertial", .motion = "level", .change = {"level", change}, .segments = 10});
-}
-
-/// What the error form leaves with its own transitions.
-int left_by_transitions(double sign) {
-  return dimension(null_spaces(level(), [&](const Course& course) {
+  const Study& s =
+      study({.system = "inertial", .motion = "level", .change = {"level", level}, .segments = 10});
+  return dimension(null_spaces(s, [&](const Course& course) {
     MatrixXd M(0, 12), moved = MatrixXd::Identity(12, 12);
     for (const LinearizedSystem& form : course.forms) {
       MatrixXd F = form.F;
@@ -198,15 +187,15 @@ double wrong_rows(bool of_anchors, bool turned, bool r_of_sensor, double sign) {
   });
 }
 
-/// The nearest of what may be printed, and ours.
-Worst readings(bool of_anchors) {
-  return {std::min({wrong_rows(of_anchors, false, false, 1), wrong_rows(of_anchors, false, false, -1),
-                    wrong_rows(of_anchors, false, true, 1), wrong_rows(of_anchors, false, true, -1)}),
-          wrong_rows(of_anchors, true, false, 1)};
-}
-
 std::vector<Claim> measurement_rows() {
-  const Worst of_feature = readings(false), of_anchors = readings(true);
+  const auto nearest_and_ours = [](bool of_anchors) -> Worst {
+    const auto printed = [&](bool r_of_sensor, double sign) {
+      return wrong_rows(of_anchors, false, r_of_sensor, sign);
+    };
+    return {std::min({printed(false, 1), printed(false, -1), printed(true, 1), printed(true, -1)}),
+            wrong_rows(of_anchors, true, false, 1)};
+  };
+  const Worst of_feature = nearest_and_ours(false), of_anchors = nearest_and_ours(true);
   return {studied("4.2-H", "(4.32), (4.33)", "H is dz/dr^s [-I 0 [x r] I], to 1e-9",
                   {.measured = fmt::format("largest difference from exact derivatives in {} motions: {}",
                                            motions, of_feature.text()),

@@ -17,8 +17,6 @@ VectorXd nine(const Vector3d& r, const Vector3d& v, const Vector3d& psi) {
   return (VectorXd(9) << v, psi, r).finished();
 }
 
-Vector3d r_of(const SystemPoint& p) { return p.x.segment<3>(6); }
-
 bool leaves_the_yaw(const Study& s) { return s.along_spanned_by(named({"rotation about z"})); }
 
 /// dz/dr^s C [of_r I 0 [r x] of_psi], against exact derivatives.
@@ -72,13 +70,11 @@ double wrong_4_41(bool turned, bool of_sensor, double sign, double of_v) {
 
 /// Of (4.42), with `directed` for what is printed as C r.
 Basis vectors_4_42(const Course& c, bool directed_as_printed) {
-  const SystemPoint& p = c.points[0];
-  const Matrix3d C = C_of(p.x.segment<3>(3));
-  const Vector3d r = r_of(p), f = C.transpose() * p.u.head<3>(), zero = Vector3d::Zero(),
-                 along = directed_as_printed ? Vector3d(C * r) : r;
-  Vector3d zeta = -r.cross(f);
+  const Begin b(c);
+  const Vector3d zero = Vector3d::Zero(), along = directed_as_printed ? Vector3d(b.C * b.r) : b.r;
+  Vector3d zeta = -b.r.cross(b.f);
   zeta -= zeta.y() / along.y() * along;  // a multiple of the first puts the zero where it is printed
-  return {nine(along, zero, zero), nine(zeta, zero, f), nine(zero, along, zero)};
+  return {nine(along, zero, zero), nine(zeta, zero, b.f), nine(zero, along, zero)};
 }
 
 Claim entries() {

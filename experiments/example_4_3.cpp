@@ -149,7 +149,7 @@ LedgerEntry run(const ExperimentSettings& settings) {
                                 one_anchor(),
                                 {two_anchors(), three_anchors(), translating(), f_null_space(),
                                  three_anchors_two_segments()},
-                                planar_cv::relative_claims()}));
+                                planar_cv_relative_claims()}));
 }
 
 }  // namespace

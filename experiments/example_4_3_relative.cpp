@@ -6,7 +6,7 @@
 #include "experiments/chapter_4_parts.hpp"
 #include "experiments/common.hpp"
 
-namespace incognita::observability_claims::planar_cv {
+namespace incognita::observability_claims {
 namespace {
 
 const Study& relative(int features = 1, const std::string& motion = "general") {
@@ -24,7 +24,6 @@ const VectorXd heading = six(0, 0, 1, 0, 0, 0), turn_rate = six(0, 0, 0, 0, 0, 1
 
 void zero_heading(LinearizedSystem& form, const SystemPoint&) { form.H.col(0).setZero(); }
 
-/// What SOM leaves with the printed zero.
 std::vector<int> dimensions_with_zero(const Study& s) {
   return each_of({1, 2, 3}, [&](int k) { return dimension(stripped_with(s, k, zero_heading)); });
 }
@@ -170,9 +169,9 @@ Claim never_full() {
 
 }  // namespace
 
-std::vector<Claim> relative_claims() {
+std::vector<Claim> planar_cv_relative_claims() {
   return concatenated(
       {{first_segment()}, one_segment(), {more_segments(), more_features(), must_move(), never_full()}});
 }
 
-}  // namespace incognita::observability_claims::planar_cv
+}  // namespace incognita::observability_claims

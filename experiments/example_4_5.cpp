@@ -35,7 +35,6 @@ struct Polar {
 };
 
 const Study& ranges_and_bearings() { return study({.system = "planar-rb", .representation = "relative"}); }
-const Study& cartesian() { return study({.system = "planar", .representation = "relative"}); }
 
 Case polar(int features = 1) {
   return {.system = "planar-polar", .representation = "relative", .features = features};
@@ -91,7 +90,6 @@ Claim first_order() {
       first < rounding && second < rounding, first < rounding && ours < rounding);
 }
 
-/// What the Lie derivatives of all orders leave.
 std::vector<Claim> left_by_lie() {
   const double difference = largest(study(polar()), [](const Course& course) {
     const SystemPoint& p = course.points[0];  // heading, range, bearing
@@ -123,9 +121,10 @@ std::vector<Claim> left_by_lie() {
 }
 
 Claim contrary() {
-  const Study &s = cartesian(), &in_polar = study(polar());
+  const Case cartesian{.system = "planar", .representation = "relative"};
+  const Study &s = study(cartesian), &in_polar = study(polar());
   const Vectors turned = named({"rotation"});
-  const Spaces by_lie = lie({.system = "planar", .representation = "relative"});
+  const Spaces by_lie = lie(cartesian);
   const bool linear_finds_it = s.full_rank(2),
              unseen = are_basis(by_lie, s.courses(), turned) && s.along_spanned_by(turned),
              depends = s.dimensions() != in_polar.dimensions();

@@ -59,7 +59,6 @@ MatrixXd with_features(const planar::PoseJacobian& F) {
   return whole;
 }
 
-/// An estimate that strays about the truth.
 struct Stray {
   Pose pose;
   Features features;
@@ -246,12 +245,6 @@ std::vector<Knowledge> stripped(const Setup& setup) {
 }
 
 Run::Run(const Setup& s) : setup(s), drive(two_bearings::drive(s.dt_s)), known(course(s)) {}
-
-std::size_t Run::measurement_at(double t_s) const {
-  return static_cast<std::size_t>(std::lround(t_s / setup.dt_s));
-}
-
-Direction state(int i) { return sum({i}); }
 
 Direction sum(const std::vector<int>& of) {
   VectorXd c = VectorXd::Zero(states);

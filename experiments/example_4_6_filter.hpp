@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -127,15 +128,17 @@ struct Run {
   std::vector<Instant> drive;
   std::vector<Knowledge> known;
   explicit Run(const Setup& s);
-  std::size_t measurement_at(double t_s) const;
+  std::size_t measurement_at(double t_s) const {
+    return static_cast<std::size_t>(std::lround(t_s / setup.dt_s));
+  }
 };
 
 /// A direction of the state, at the pose after a measurement.
 using Direction = std::function<VectorXd(const Run&, std::size_t measurement)>;
 
 inline constexpr int x = 0, y = 1, heading = 2, x1 = 3, y1 = 4, x2 = 5, y2 = 6;  // states
-Direction state(int i);
 Direction sum(const std::vector<int>& of);
+inline Direction state(int i) { return sum({i}); }
 Direction difference(int i, int j);
 /// Of the vehicle or a feature, by its first state, from another one.
 Direction distance(int from, int to);

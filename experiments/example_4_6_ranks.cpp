@@ -7,24 +7,24 @@
 namespace incognita::two_bearings {
 namespace {
 
-std::vector<Setup> settings_to_try() {
-  std::vector<Setup> all;
+std::vector<Run> runs_in_all_settings() {
+  std::vector<Run> all;
   const Noise usual;
   for (const double process : {0.0, 0.1, 1.0, 10.0})
     for (const double bearing : {0.1, 1.0, 10.0}) {
       Setup s;
       s.noise = {process * usual.sigma_speed_mps, process * usual.sigma_turn_radps,
                  bearing * usual.sigma_bearing_rad};
-      all.push_back(s);
+      all.emplace_back(s);
     }
-  for (const double dt : {0.05, 0.5}) all.push_back({.dt_s = dt});
+  for (const double dt : {0.05, 0.5}) all.emplace_back(Setup{.dt_s = dt});
   RandomStream random(1, "features");
   for (int i = 0; i < 20; ++i) {
     Setup s;
     s.features.first = {random.uniform(10, 40), 0};
     const double distance = random.uniform(8, 40), direction = radians(random.uniform(30, 60));
     s.features.second = distance * Vector2d(std::cos(direction), std::sin(direction));
-    all.push_back(s);
+    all.emplace_back(s);
   }
   return all;
 }
@@ -46,11 +46,7 @@ RankCourse ranks_of(const std::vector<Knowledge>& known, const std::vector<Insta
 }  // namespace
 
 const std::vector<Run>& runs() {
-  static const std::vector<Run> all = [] {
-    std::vector<Run> made;
-    for (const Setup& s : settings_to_try()) made.emplace_back(s);
-    return made;
-  }();
+  static const std::vector<Run> all = runs_in_all_settings();
   return all;
 }
 
@@ -84,43 +80,41 @@ std::string text(const RankCourse& course) {
 
 namespace {
 
-Claim rank_claim() {
+std::vector<Claim> ranks() {
   const auto with = [](Jacobians jacobians) { return ranks_of(Run({.jacobians = jacobians})); };
   const RankCourse all = ranks_of_all(), late = with(Jacobians::odometry_late),
                    measured = with(Jacobians::measured_speed),
                    segments = ranks_of(stripped(usual().setup), usual().drive);
   const Ranks printed{2, 4, 5};
-  return tested(
-      "4.6-rank", "Figure 4.4, Example 4.6",
-      "Rank of the information matrix at rest, while moving north, while turning to the east",
-      {.printed = text(printed),
-       .measured =
-           fmt::format("{}, each from the first measurement of its phase on, in {} settings of noises, steps "
-                       "and features (singular values of the root, of the largest: kept from {:.1e} on, left "
-                       "out {}). The stripped matrix (4.8), each step a segment: {}. The filter with F of "
-                       "the step before: {}; with F by encoder speeds 2 % off: {}; with H where the vehicle "
-                       "was a step ago, at the ends of phases: {}; with F along the tangent: {}",
-                       text(all), runs().size(), all.least_kept, below(all.most_left_out), text(segments),
-                       text(late), text(measured), text(with(Jacobians::measurements_late).at_end),
-                       text(with(Jacobians::along_tangent))),
-       .why =
-           "2, 3, 4: moving north adds one, the distance to feature 2, and turning one, that to feature 1. "
-           "What is printed is the rank of (4.8), which freezes H inside a segment; a filter has it when its "
-           "F and H are not those of one and the same motion. The thesis does not say which of these it used"},
-      all.is(printed), all.is({2, 3, 4}) && segments.is(printed) && late.is(printed) && measured.is(printed));
-}
-
-Claim at_rest_rank() {
   bool none_alone = true;
   for (int i = 0; i < states; ++i) none_alone = none_alone && most(state(i), at_rest_until_s) == 0;
-  const RankCourse all = ranks_of_all();
-  return tested("4.6-stationary", "below Figure 4.4, Example 4.6",
-                "At rest only two states are observable, combinations of the positions of vehicle and "
-                "features and of the heading: rank 2, and nothing about any state alone",
-                {.printed = "2",
-                 .measured = fmt::format("rank {}; largest marginal information of a state: {}",
-                                         all.at_end[0], none_alone ? "0" : "above 0")},
-                all.throughout && all.at_end[0] == 2 && none_alone);
+  return {
+      tested(
+          "4.6-rank", "Figure 4.4, Example 4.6",
+          "Rank of the information matrix at rest, while moving north, while turning to the east",
+          {.printed = text(printed),
+           .measured = fmt::format(
+               "{}, each from the first measurement of its phase on, in {} settings of noises, steps "
+               "and features (singular values of the root, of the largest: kept from {:.1e} on, left "
+               "out {}). The stripped matrix (4.8), each step a segment: {}. The filter with F of "
+               "the step before: {}; with F by encoder speeds 2 % off: {}; with H where the vehicle "
+               "was a step ago, at the ends of phases: {}; with F along the tangent: {}",
+               text(all), runs().size(), all.least_kept, below(all.most_left_out), text(segments), text(late),
+               text(measured), text(with(Jacobians::measurements_late).at_end),
+               text(with(Jacobians::along_tangent))),
+           .why =
+               "2, 3, 4: moving north adds one, the distance to feature 2, and turning one, that to feature 1. "
+               "What is printed is the rank of (4.8), which freezes H inside a segment; a filter has it when its "
+               "F and H are not those of one and the same motion. The thesis does not say which of these it used"},
+          all.is(printed),
+          all.is({2, 3, 4}) && segments.is(printed) && late.is(printed) && measured.is(printed)),
+      tested("4.6-stationary", "below Figure 4.4, Example 4.6",
+             "At rest only two states are observable, combinations of the positions of vehicle and "
+             "features and of the heading: rank 2, and nothing about any state alone",
+             {.printed = "2",
+              .measured = fmt::format("rank {}; largest marginal information of a state: {}", all.at_end[0],
+                                      none_alone ? "0" : "above 0")},
+             all.throughout && all.at_end[0] == 2 && none_alone)};
 }
 
 /// Columns in units, at the end: everything moved north, moved east, turned about the origin.
@@ -177,7 +171,7 @@ int differing(std::vector<Knowledge> (*of)(const Setup&)) {
 
 }  // namespace
 
-std::vector<Claim> rank_claims() { return {rank_claim(), at_rest_rank(), deficiency()}; }
+std::vector<Claim> rank_claims() { return concatenated({ranks(), {deficiency()}}); }
 
 Claim link() {
   int measurements = 0;

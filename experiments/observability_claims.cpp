@@ -249,10 +249,6 @@ Studies by_anchors(std::initializer_list<int> numbers, Case which) {
   return by_number_of("anchors", &Case::anchors, numbers, std::move(which));
 }
 
-bool for_all(std::initializer_list<int> numbers, const std::function<bool(int)>& holds) {
-  return std::ranges::all_of(numbers, holds);
-}
-
 std::vector<int> each_of(std::initializer_list<int> numbers, const std::function<int(int)>& of) {
   std::vector<int> all;
   for (const int n : numbers) all.push_back(of(n));
@@ -363,8 +359,6 @@ Spaces stripped_with(const Study& study, int k,
   }
   return spaces;
 }
-
-double apart(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff(); }
 
 double largest(const Study& study, const std::function<double(const Course&)>& of) {
   double value = 0;

@@ -91,7 +91,6 @@ class Study {
   const Case& which() const { return which_; }
   const std::vector<Course>& courses() const { return courses_; }
   const std::vector<std::string>& error_states() const { return error_states_; }
-  const std::vector<std::string>& states() const { return states_; }
   /// Of the first k segments together: (4.8) and (4.7).
   const Spaces& stripped(int k) const { return stripped_[static_cast<std::size_t>(k - 1)]; }
   const Spaces& total(int k) const { return total_[static_cast<std::size_t>(k - 1)]; }
@@ -165,7 +164,9 @@ inline bool observable_in_two(const Study& s) { return s.left(2) == 0 && fully_o
 inline bool remains_partial(const Study& s) { return s.left(3) > 0 && s.true_dimension() > 0; }
 
 /// Whether it holds for each of the numbers, for example of segments or features.
-bool for_all(std::initializer_list<int> numbers, const std::function<bool(int)>& holds);
+inline bool for_all(std::initializer_list<int> numbers, const std::function<bool(int)>& holds) {
+  return std::ranges::all_of(numbers, holds);
+}
 std::vector<int> each_of(std::initializer_list<int> numbers, const std::function<int(int)>& of);
 
 /// The claim by assessed(), which rests on all motions of so many cases.
@@ -216,7 +217,7 @@ Spaces stripped_with(const Study& study, int k,
                      const std::function<void(LinearizedSystem&, const SystemPoint&)>& change);
 
 /// Largest entry of a difference.
-double apart(const MatrixXd& a, const MatrixXd& b);
+inline double apart(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwiseAbs().maxCoeff(); }
 /// Largest of a number over all motions.
 double largest(const Study& study, const std::function<double(const Course&)>& of);
 

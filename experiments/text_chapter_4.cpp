@@ -25,34 +25,28 @@ const Study& relative(const std::string& system, const std::string& motion = "ge
   return study({.system = system, .representation = "relative", .motion = motion});
 }
 
-Claim world_is_partial() {
-  Studies lines;
+std::vector<Claim> partial_or_not() {
+  Studies worlds;
   for (const char* system : {"monobot", "planar", "planar-rb", "inertial", "inertial-rb", "planar-cv", "cv6"})
-    lines.add(system, of(system));
-  return studied(lines.cases(), "text-4-world", "Sections 4.1.1 and 4.1.2",
-                 "World-centric maps without anchors are partially observable in any SLAM case",
-                 {.printed = "partially", .measured = lines.text()}, lines.all(remains_partial));
-}
-
-Claim planar_anchors() {
-  Studies lines;
-  const Study &moving = lines.add("moving", of("planar", 2)),
-              &rest = lines.add("at rest", of("planar", 2, "stationary"));
-  return studied(lines.cases(), "text-4-planar-anchors", "Section 4.1.1",
-                 "With anchors (two) the planar vehicle is fully observable, as long as it translates",
-                 {.printed = "fully", .measured = lines.text()},
-                 observable_in_two(moving) && remains_partial(rest));
-}
-
-Claim planar_at_rest() {
-  Studies lines;
+    worlds.add(system, of(system));
+  Studies anchored;
+  const Study &moving = anchored.add("moving", of("planar", 2)),
+              &rest = anchored.add("at rest", of("planar", 2, "stationary"));
+  Studies still;
   for (const int anchors : {0, 1, 2, 3})
-    lines.add(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"),
+    still.add(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"),
               of("planar", anchors, "stationary"));
-  lines.add("relative map", relative("planar", "stationary"));
-  return studied(lines.cases(), "text-4-planar-at-rest", "Section 4.4",
-                 "At zero velocity the planar vehicle's system simply is unobservable",
-                 {.printed = "unobservable", .measured = lines.text()}, lines.all(remains_partial));
+  still.add("relative map", relative("planar", "stationary"));
+  return {studied(worlds.cases(), "text-4-world", "Sections 4.1.1 and 4.1.2",
+                  "World-centric maps without anchors are partially observable in any SLAM case",
+                  {.printed = "partially", .measured = worlds.text()}, worlds.all(remains_partial)),
+          studied(anchored.cases(), "text-4-planar-anchors", "Section 4.1.1",
+                  "With anchors (two) the planar vehicle is fully observable, as long as it translates",
+                  {.printed = "fully", .measured = anchored.text()},
+                  observable_in_two(moving) && remains_partial(rest)),
+          studied(still.cases(), "text-4-planar-at-rest", "Section 4.4",
+                  "At zero velocity the planar vehicle's system simply is unobservable",
+                  {.printed = "unobservable", .measured = still.text()}, still.all(remains_partial))};
 }
 
 /// The relative inertial map turned about the line on which the body travels: r by v x r, and the
@@ -117,29 +111,27 @@ Claim exteroceptive_only() {
 }
 
 Claim cv_velocities() {
-  std::vector<std::string> lines;
-  bool always = true, from_two = true;
+  Cases always;
+  bool from_two = true;
   const auto is_velocity = [](const std::string& state) { return state[0] == 'v' || state[0] == 'w'; };
   for (const char* system : {"planar-cv", "cv6"})
     for (const int anchors : {1, 2, 3}) {
       const Study& s = of(system, anchors);
       const auto recovered = std::ranges::count_if(s.observable(1), is_velocity),
                  wanted = std::ranges::count_if(s.error_states(), is_velocity);
-      always = always && recovered == wanted;
+      always.add({fmt::format("{}, {}: {} of {}", system, anchors, recovered, wanted), recovered == wanted});
       from_two = from_two && (anchors == 1 ? recovered == 0 : recovered == wanted);
-      lines.push_back(fmt::format("{}, {}: {} of {}", system, anchors, recovered, wanted));
     }
   return studied(
       6, "text-4-cv-velocities", "Section 4.4",
       "With anchors one segment recovers the velocities of the constant-velocity models",
       {.printed = "recovered",
        .measured = fmt::format("velocities outside N(Q_1) with one feature in {} motions, by anchors: {}",
-                               motions, fmt::join(lines, "; ")),
+                               motions, always.text()),
        .why = "from two anchors on"},
-      always, from_two);
+      always.hold(), from_two);
 }
 
-/// What accelerates the camera is measured.
 void known_acceleration(SystemText& text) {
   text.disturbed.clear();
   text.inputs = {{"fx", {}, -1, 1}, {"fy", {}, -1, 1}, {"alpha", {}, -0.5, 0.5}};
@@ -171,15 +163,15 @@ Claim accelerations() {
 }
 
 Claim lower_limit() {
-  std::vector<std::string> lines;
-  bool settles = true, always = true;
+  Cases settles;
+  bool always = true;
   for (const char* system : {"planar", "inertial", "planar-cv", "cv6"}) {
     const Study& s = study({.system = system, .segments = 6});
     const auto left = s.total_dimensions();
-    settles = settles && left[2] == left[3] && left[3] == left[5] && left[5] > 0;
+    settles.add({fmt::format("{} {}", system, s.segments_text()),
+                 left[2] == left[3] && left[3] == left[5] && left[5] > 0});
     always = always && contain(s.total(6), s.courses(), named({"translation"})) &&
              of(system).along_contains(named({"translation"}));
-    lines.push_back(fmt::format("{} {}", system, s.segments_text()));
   }
   return studied(4, "text-4-lower-limit", "Section 4.4",
                  "World-centric maps reach a lower limit of unobservable modes; the global position is among "
@@ -187,8 +179,8 @@ Claim lower_limit() {
                  {.printed = "a limit",
                   .measured = fmt::format("dimensions left by SOM and TOM after 1/2/3/4/5/6 segments: {}; "
                                           "translations among them, and left by the motion itself: {}",
-                                          fmt::join(lines, "; "), always ? "always" : "not always")},
-                 settles && always);
+                                          settles.text(), always ? "always" : "not always")},
+                 settles.hold() && always);
 }
 
 Claim becomes_observable() {
@@ -213,9 +205,9 @@ Claim becomes_observable() {
 LedgerEntry run(const ExperimentSettings& settings) {
   return entry_of(text_chapter_4, settings,
                   concatenated({method_claims(),
-                                {world_is_partial(), planar_anchors(), planar_at_rest(), third_step(),
-                                 exteroceptive_only(), cv_velocities(), accelerations(), lower_limit(),
-                                 becomes_observable()}}));
+                                partial_or_not(),
+                                {third_step(), exteroceptive_only(), cv_velocities(), accelerations(),
+                                 lower_limit(), becomes_observable()}}));
 }
 
 }  // namespace

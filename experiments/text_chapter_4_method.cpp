@@ -174,41 +174,39 @@ Claim one_measurement() {
       never);
 }
 
-Claim turning_only() {
+std::vector<Claim> without_parallax() {
   Studies turned("with three anchors, turning on the spot");
   for (const char* system : {"planar", "cv6"})
     turned.add(system, study({.system = system, .anchors = 3, .motion = "stationary", .change = turning()}));
   const bool both = turned.all([](const Study& s) { return s.along_spanned_by(named({"depth"})); });
-  return studied(
-      turned.cases(), "text-4-turning", "head of Chapter 4",
-      "A purely rotating camera has no information about the distance of a feature, however well its pose is "
-      "known by anchors",
-      {.printed = "nothing",
-       .measured = fmt::format("{}; what is left is the distance: {}", turned.text(), yes_no(both))},
-      both);
-}
-
-Claim line_of_sight() {
-  const auto straight = [](const Change& change) -> const Study& {
-    return study({.system = "planar", .anchors = 2, .motion = "straight", .change = change});
-  };
-  const Study &s = straight(feature_within("ahead", {5, 9}, {0, 0})), &aside = straight({});
+  Case straight{.system = "planar", .anchors = 2, .motion = "straight"};
+  const Study& aside = study(straight);
+  straight.change = feature_within("ahead", {5, 9}, {0, 0});
+  const Study& s = study(straight);
   const bool distance_alone = s.along_spanned_by(named({"depth"}));
-  return studied(
-      2, "text-4-line-of-sight", "head of Chapter 4",
-      "The distance of a feature on the line along which the camera moves is not observable",
-      {.printed = "does not",
-       .measured = fmt::format(
-           "{}, with two anchors, straight on: {}; with the feature straight ahead {}: its distance, {}",
-           legend, aside.numbers(), s.numbers(), yes_no(distance_alone))},
-      distance_alone && fully_observable(aside));
+  return {
+      studied(
+          turned.cases(), "text-4-turning", "head of Chapter 4",
+          "A purely rotating camera has no information about the distance of a feature, however well its pose is "
+          "known by anchors",
+          {.printed = "nothing",
+           .measured = fmt::format("{}; what is left is the distance: {}", turned.text(), yes_no(both))},
+          both),
+      studied(
+          2, "text-4-line-of-sight", "head of Chapter 4",
+          "The distance of a feature on the line along which the camera moves is not observable",
+          {.printed = "does not",
+           .measured = fmt::format(
+               "{}, with two anchors, straight on: {}; with the feature straight ahead {}: its distance, {}",
+               legend, aside.numbers(), s.numbers(), yes_no(distance_alone))},
+          distance_alone && fully_observable(aside))};
 }
 
 }  // namespace
 
 std::vector<Claim> method_claims() {
-  return {one_measurement(), turning_only(), line_of_sight(), gramian_claim(),
-          steps(),           condition(),    piecewise()};
+  return concatenated(
+      {{one_measurement()}, without_parallax(), {gramian_claim(), steps(), condition(), piecewise()}});
 }
 
 }  // namespace incognita::observability_claims

@@ -4,14 +4,12 @@
 
 #include <cmath>
 
+#include "experiments/chapter_5_curves.hpp"
 #include "experiments/closed_loop_statistics.hpp"
-#include "experiments/curves.hpp"
 #include "incognita/math/angles.hpp"
 
 namespace incognita::closed_loop {
 namespace {
-
-using Eigen::Vector2d;
 
 constexpr Color colors[] = {Color::blue, Color::orange, Color::green, Color::pink};
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -22,8 +20,13 @@ Curve over_time(const std::string& label, const Run& run, std::size_t robot, Col
                   [&](const Instant& i) { return of(i.robots[robot]); });
 }
 
-Panel panel_over_time(const std::string& title, const std::string& y_label) {
-  return {title, "time, s", y_label, {}};
+Panel panel_over_time(const std::string& title, const std::string& y_label, std::vector<Curve> curves,
+                      std::optional<std::pair<double, double>> y_range = {}) {
+  return {.title = title,
+          .x_label = "time, s",
+          .y_label = y_label,
+          .curves = std::move(curves),
+          .y_range = y_range};
 }
 
 /// A heading jumps from one end of its range to the other: a gap there instead of a line.
@@ -34,45 +37,37 @@ Curve with_gaps(Curve curve) {
 }
 
 Panel error_panel(const std::string& title, const Run& run, std::size_t robot, int state) {
-  const bool heading = state == 2;
-  const double unit = heading ? degrees(1) : 1;
+  const double unit = state == 2 ? degrees(1) : 1;
   static constexpr const char* labels[] = {"error of x, m", "error of y, m", "error of heading, deg"};
-  Panel panel = panel_over_time(title, labels[state]);
-  Curve band = over_time("2 sigma", run, robot, Color::gray, [&](const RobotInstant& r) {
-    return 2 * unit * std::sqrt(r.covariance(state, state));
-  });
-  band.style = Style::band;
-  band.y2 = band.y;
-  for (double& y : band.y2) y = -y;
-  panel.curves = {band, over_time("truth less estimate", run, robot, Color::blue,
-                                  [&](const RobotInstant& r) { return unit * r.error()[state]; })};
-  return panel;
+  const auto two_sigmas = [&](const Instant& i) {
+    return 2 * unit * std::sqrt(i.robots[robot].covariance(state, state));
+  };
+  return panel_over_time(title, labels[state],
+                         {band_of("2 sigma", Color::gray, run.instants, &Instant::t_s, two_sigmas),
+                          over_time("truth less estimate", run, robot, Color::blue,
+                                    [&](const RobotInstant& r) { return unit * r.error()[state]; })});
 }
 
 Panel position_panel(const std::string& title, const Run& run, std::size_t robot) {
-  Panel panel = panel_over_time(title, "estimate, m");
-  panel.curves = {
-      over_time("x", run, robot, Color::blue, [](const RobotInstant& r) { return r.mean.x(); }),
-      over_time("y", run, robot, Color::orange, [](const RobotInstant& r) { return r.mean.y(); })};
-  return panel;
+  return panel_over_time(
+      title, "estimate, m",
+      {over_time("x", run, robot, Color::blue, [](const RobotInstant& r) { return r.mean.x(); }),
+       over_time("y", run, robot, Color::orange, [](const RobotInstant& r) { return r.mean.y(); })});
 }
 
 Panel heading_panel(const std::string& title, const Run& run, std::size_t robot) {
-  Panel panel = panel_over_time(title, "estimate, deg");
-  panel.curves = {with_gaps(over_time("heading", run, robot, Color::green,
-                                      [](const RobotInstant& r) { return degrees(r.mean[2]); }))};
-  panel.y_range = {-185, 185};
-  return panel;
+  const Curve heading = over_time("heading", run, robot, Color::green,
+                                  [](const RobotInstant& r) { return degrees(r.mean[2]); });
+  return panel_over_time(title, "estimate, deg", {with_gaps(heading)}, {{-185, 185}});
 }
 
 Panel command_panel(const std::string& title, const Run& run, std::size_t robot) {
-  Panel panel = panel_over_time(title, "command");
-  panel.curves = {
-      over_time("turn rate, rad/s", run, robot, Color::orange,
-                [](const RobotInstant& r) { return r.input[1]; }),
-      over_time("speed, m/s", run, robot, Color::blue, [](const RobotInstant& r) { return r.input[0]; })};
-  panel.y_range = {-1.15, 1.15};
-  return panel;
+  return panel_over_time(
+      title, "command",
+      {over_time("turn rate, rad/s", run, robot, Color::orange,
+                 [](const RobotInstant& r) { return r.input[1]; }),
+       over_time("speed, m/s", run, robot, Color::blue, [](const RobotInstant& r) { return r.input[0]; })},
+      {{-1.15, 1.15}});
 }
 
 Curve poses_of(const std::string& label, const Run& run, std::size_t robot,
@@ -88,26 +83,11 @@ Curve wanted(const std::string& label, const Path& path, const Run& run) {
 }
 
 /// Every ten seconds.
-Curve robot_ellipses(const std::string& label, const Run& run, std::size_t robot, Color color) {
-  std::vector<Vector2d> means;
-  std::vector<Eigen::Matrix2d> covariances;
-  for (std::size_t k = 0; k < run.instants.size(); k += 100) {
-    const RobotInstant& r = run.instants[k].robots[robot];
-    means.emplace_back(r.mean.head<2>());
-    covariances.emplace_back(r.covariance.topLeftCorner<2, 2>());
-  }
-  Curve curve = ellipses(label, means, covariances);
-  curve.color = color;
-  return curve;
-}
-
-Curve map_ellipses(const Run& run) {
-  std::vector<Vector2d> means;
-  std::vector<Eigen::Matrix2d> covariances;
-  for (const MappedLandmark& l : run.map) means.push_back(l.mean), covariances.push_back(l.covariance);
-  Curve curve = ellipses("map, 2 sigma", means, covariances);
-  curve.color = Color::green;
-  return curve;
+Curve robot_ellipses(const Run& run, std::size_t robot) {
+  std::vector<RobotInstant> instants;
+  for (std::size_t k = 0; k < run.instants.size(); k += 100)
+    instants.push_back(run.instants[k].robots[robot]);
+  return outlines_of("", colors[robot], instants, &RobotInstant::mean, &RobotInstant::covariance);
 }
 
 }  // namespace
@@ -124,27 +104,23 @@ Plot map_figure(const std::string& id, const std::string& title, const Setup& se
     panel.curves.push_back(poses_of("robot" + who, run, i, &RobotInstant::truth, Style::line, colors[i]));
     panel.curves.push_back(
         poses_of(i == 0 ? "estimate" : "", run, i, &RobotInstant::mean, Style::thin, Color::ink));
-    panel.curves.push_back(robot_ellipses("", run, i, colors[i]));
+    panel.curves.push_back(robot_ellipses(run, i));
     panel.curves.push_back({i == 0 ? "start" : "", Style::circles, {start.x()}, {start.y()}, {}, colors[i]});
   }
   panel.curves.push_back(
       path_of("landmarks", Style::stars, Color::gray, setup.place, &PointLandmarks::value_type::second));
-  panel.curves.push_back(map_ellipses(run));
+  panel.curves.push_back(
+      outlines_of("map, 2 sigma", Color::green, run.map, &MappedLandmark::mean, &MappedLandmark::covariance));
   return {id, title, 1, {panel}};
 }
 
 Plot state_figure(const std::string& id, const std::string& title, const Run& run) {
   const std::size_t robots = run.instants.front().robots.size();
-  Plot plot{id, title, 2, {}};
-  if (robots == 1) {
-    plot.panels = {position_panel("", run, 0), heading_panel("", run, 0),  error_panel("", run, 0, 0),
-                   error_panel("", run, 0, 1), error_panel("", run, 0, 2), command_panel("", run, 0)};
-    return plot;
-  }
-  plot.columns = static_cast<int>(robots);
-  const auto row = [&](const auto& make) {
+  Plot plot{id, title, std::max(2, static_cast<int>(robots)), {}};
+  const auto row = [&](const auto& panel_of) {
+    const bool named = robots > 1 && plot.panels.empty();
     for (std::size_t i = 0; i < robots; ++i)
-      plot.panels.push_back(make(plot.panels.size() < robots ? fmt::format("robot {}", i + 1) : "", i));
+      plot.panels.push_back(panel_of(named ? fmt::format("robot {}", i + 1) : "", i));
   };
   row([&](const std::string& name, std::size_t i) { return position_panel(name, run, i); });
   row([&](const std::string& name, std::size_t i) { return heading_panel(name, run, i); });
@@ -156,14 +132,13 @@ Plot state_figure(const std::string& id, const std::string& title, const Run& ru
 
 Plot eigenvalue_figure(const std::string& id, const std::string& title, const Run& run,
                        const std::function<Eigen::Matrix2d(const planar::Pose<double>&)>& gain) {
-  Panel panel = panel_over_time("", "magnitude of the eigenvalues of F - G L");
   const auto size = [&](const char* label, Color color, int k) {
     return over_time(label, run, 0, color, [&](const RobotInstant& r) { return moduli(r, gain(r.mean))[k]; });
   };
-  panel.curves = {{"1", Style::dashed, {0, run.instants.back().t_s}, {1, 1}, {}, Color::gray},
-                  size("third", Color::green, 2),
-                  size("second", Color::orange, 1),
-                  size("largest", Color::blue, 0)};
+  const Curve one{"1", Style::dashed, {0, run.instants.back().t_s}, {1, 1}, {}, Color::gray};
+  const Panel panel = panel_over_time("", "magnitude of the eigenvalues of F - G L",
+                                      {one, size("third", Color::green, 2), size("second", Color::orange, 1),
+                                       size("largest", Color::blue, 0)});
   return {id, title, 1, {panel}};
 }
 

@@ -19,12 +19,6 @@ using Eigen::Vector2d;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int ticks_per_joint_nees = 10;
 
-SmallVector numbers(std::initializer_list<double> values) {
-  SmallVector v(static_cast<Eigen::Index>(values.size()));
-  std::copy(values.begin(), values.end(), v.begin());
-  return v;
-}
-
 /// Points of the desired paths of all examples.
 std::vector<Vector2d> desired_points() {
   constexpr int points = 120;
@@ -126,7 +120,7 @@ Robot robot(const planar::Pose<double>& start, ControlLaw law, const Path& path)
   Robot r{start, {}};
   r.steering.law = law;
   r.steering.path = path;
-  r.steering.most_input = numbers({top_speed_m_s, top_turn_rate});
+  r.steering.most_input = Vector2d(top_speed_m_s, top_turn_rate);
   return r;
 }
 

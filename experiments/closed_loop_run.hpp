@@ -31,18 +31,18 @@ struct Robot {
   SteeringSettings steering;                                  ///< law, path and gains
 };
 
+/// 16 landmarks, drawn once over 24 m x 24 m: 2.5 m from each other, 1 m from the line of Example 5.1 and the
+/// circles of Examples 5.2 and 5.3.
+PointLandmarks sixteen_landmarks();
+
 struct Setup {
   std::vector<Robot> robots;
-  PointLandmarks place;
+  PointLandmarks place = sixteen_landmarks();
   int anchors = 0;  ///< the first so many landmarks are known to the filter
   double duration_s = 60;
   double noise = 1;  ///< all sigmas, of start, inputs and sensor, times this
   Linearization linearization = Linearization::analytic;
 };
-
-/// 16 landmarks, drawn once over 24 m x 24 m: 2.5 m from each other, 1 m from the line of Example 5.1 and the
-/// circles of Examples 5.2 and 5.3.
-PointLandmarks sixteen_landmarks();
 
 Robot robot(const planar::Pose<double>& start, ControlLaw law, const Path& path);
 

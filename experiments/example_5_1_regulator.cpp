@@ -56,16 +56,17 @@ struct Task {
 };
 
 Task some_task(RandomStream& random) {
-  Task t{some_system(random), {}, {}, {}, {}, {}, {}, {}, {}};
+  Task t;
+  t.system = some_system(random);
   const LinearSystem& s = t.system;
   const Index n = s.F.rows();
   t.Q1 = some_weight(random, n), t.Q2 = some_weight(random, s.G.cols()), t.P0 = some_weight(random, n);
   t.estimate = 3 * some_matrix(random, n, 1);
-  for (int k = 0; k <= steps; ++k)
-    t.T.push_back(k == steps
-                      ? MatrixXd(MatrixXd::Zero(n, n))
-                      : finite_horizon_gains(s.F, s.G, t.Q1, t.Q2, MatrixXd::Zero(n, n), steps - k).T0);
-  t.L = finite_horizon_gains(s.F, s.G, t.Q1, t.Q2, MatrixXd::Zero(n, n), steps).L;
+  const MatrixXd free_end = MatrixXd::Zero(n, n);
+  for (int k = 0; k < steps; ++k)
+    t.T.push_back(finite_horizon_gains(s.F, s.G, t.Q1, t.Q2, free_end, steps - k).T0);
+  t.T.push_back(free_end);
+  t.L = finite_horizon_gains(s.F, s.G, t.Q1, t.Q2, free_end, steps).L;
   t.P = {t.P0};
   for (int k = 0; k < steps; ++k) {
     const MatrixXd prior = predicted(s, t.P.back());
@@ -86,12 +87,11 @@ Cost expected_cost(const Task& t, const std::vector<MatrixXd>& L, const std::vec
   const LinearSystem& s = t.system;
   const ControlledSystem controlled{s.F, s.G, s.H};
   const Index n = s.F.rows(), noises = s.Q.rows() + s.R.rows();
-  MatrixXd W = MatrixXd::Zero(noises, noises), S(2 * n, 2 * n);
+  MatrixXd W = MatrixXd::Zero(noises, noises), S(2 * n, 2 * n), to_estimate(n, 2 * n);
   W.topLeftCorner(s.Q.rows(), s.Q.rows()) = s.Q;
   W.bottomRightCorner(s.R.rows(), s.R.rows()) = s.R;
-  S << t.P0 + t.estimate * t.estimate.transpose(), t.P0, t.P0, t.P0;
-  MatrixXd to_estimate(n, 2 * n);
   to_estimate << MatrixXd::Identity(n, n), -MatrixXd::Identity(n, n);
+  S << t.P0 + t.estimate * t.estimate.transpose(), t.P0, t.P0, t.P0;
   Cost cost;
   for (std::size_t k = 0; k < L.size(); ++k) {
     const MatrixXd estimated = to_estimate * S * to_estimate.transpose();

@@ -8,6 +8,7 @@
 // linear, differences to 1e-9; the vehicle, by 95 % intervals of paired differences.
 #include <Eigen/Cholesky>
 
+#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/closed_loop_statistics.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_1.hpp"
@@ -253,52 +254,42 @@ Claim observable_filter() {
 
 // The vehicle -----------------------------------------------------------------------------------------
 
-/// Of one run with two known landmarks.
-struct Estimated {
-  double error_m = 0;              ///< rms of the position's
-  double sigma_m = 0;              ///< root of the mean trace of its covariance
-  double early_m = 0, late_m = 0;  ///< rms error at the goal: from 25 s to 32.5 s, and from there to the end
-  double final_m = 0;              ///< from the goal
-};
+using closed_loop::Instant, closed_loop::Run, closed_loop::Runs, closed_loop::Span;
 
-Estimated estimated(const closed_loop::Run& run) {
-  double all = 0, traces = 0, early = 0, late = 0;
-  int n = 0, n_early = 0, n_late = 0;
-  for (const closed_loop::Instant& i : run.instants) {
-    const closed_loop::RobotInstant& r = i.robots[0];
-    const double square = r.error().head<2>().squaredNorm();
-    all += square, traces += r.covariance.topLeftCorner<2, 2>().trace(), ++n;
-    if (i.t_s < 25) continue;
-    (i.t_s < 32.5 ? early : late) += square;
-    ++(i.t_s < 32.5 ? n_early : n_late);
-  }
-  return {std::sqrt(all / n), std::sqrt(traces / n), std::sqrt(early / n_early), std::sqrt(late / n_late),
-          (run.instants.back().robots[0].truth.head<2>() - Eigen::Vector2d(10, 10)).norm()};
-}
-
-std::vector<Estimated> anchored_runs(const ExperimentSettings& settings, double weight) {
-  closed_loop::Setup setup;
-  setup.robots = {closed_loop::robot({-7, 0, 0}, ControlLaw::lqg, PointPath{{10, 10, 0}})};
+Runs anchored_runs(const ExperimentSettings& settings, double weight) {
+  closed_loop::Setup setup{
+      .robots = {closed_loop::robot({-7, 0, 0}, ControlLaw::lqg, PointPath{{10, 10, 0}})},
+      .anchors = 2,
+      .duration_s = 40};
   setup.robots[0].steering.weight_state = {weight};
-  setup.place = closed_loop::sixteen_landmarks();
-  setup.anchors = 2;
-  setup.duration_s = 40;
-  return closed_loop::over_seeds(settings, fmt::format("5.1, two anchors, Q1 = {} I", weight), setup,
-                                 estimated);
+  return closed_loop::runs_of(settings, fmt::format("5.1, two anchors, Q1 = {} I", weight), setup);
 }
 
-std::vector<double> differences(const std::vector<Estimated>& a, const std::vector<Estimated>& b,
-                                double Estimated::*which) {
-  std::vector<double> d;
-  for (std::size_t i = 0; i < a.size(); ++i) d.push_back(1000 * (a[i].*which - b[i].*which));
-  return d;
+double rms_error_mm(const Run& run, const Span& span) {
+  const auto error = [](const Instant& i) { return i.robots[0].error().head<2>().norm(); };
+  return 1000 * rms_of(over_ticks(run, error, span)).value;
+}
+double error_mm(const Run& run) { return rms_error_mm(run, {}); }
+
+/// Root of the mean trace of the position's covariance.
+double sigma_mm(const Run& run) {
+  const auto trace = [](const Instant& i) { return i.robots[0].covariance.topLeftCorner<2, 2>().trace(); };
+  return 1000 * std::sqrt(mean_of(over_ticks(run, trace)).value);
 }
 
-Claim need_of_observability(const std::vector<double>& free_m, const std::vector<Estimated>& anchored) {
+/// Of the error at the goal.
+double growth_m(const Run& run) {
+  return (rms_error_mm(run, {.from_s = 32.5}) - rms_error_mm(run, {.from_s = 25, .until_s = 32.5})) / 1000;
+}
+
+double final_m(const Run& run) {
+  return (run.instants.back().robots[0].truth.head<2>() - Eigen::Vector2d(10, 10)).norm();
+}
+
+Claim need_of_observability(const std::vector<double>& free_m, const std::vector<double>& known_m) {
   const auto near = [](const std::vector<double>& all) {
     return std::ranges::count_if(all, [](double d) { return d < 0.5; });
   };
-  const std::vector<double> known_m = each(anchored, &Estimated::final_m);
   const auto in_words = [&](const std::vector<double>& all) {
     return closed_loop::share_text(near(all), all.size()) + ", " + closed_loop::spread_text(all, "m");
   };
@@ -316,17 +307,16 @@ Claim need_of_observability(const std::vector<double>& free_m, const std::vector
 }
 
 std::vector<Claim> vehicle(const ExperimentSettings& settings, const std::vector<double>& free_m) {
-  const std::vector<Estimated> soft = anchored_runs(settings, 0.1), stiff = anchored_runs(settings, 10);
-  const Interval error = mean_of(differences(stiff, soft, &Estimated::error_m)),
-                 sigma = mean_of(differences(stiff, soft, &Estimated::sigma_m));
-  std::vector<double> growth;
-  for (const auto* runs : {&soft, &stiff})
-    for (const Estimated& e : *runs) growth.push_back(e.late_m - e.early_m);
+  const Runs soft = anchored_runs(settings, 0.1), stiff = anchored_runs(settings, 10);
+  const Interval error = mean_of(less(each(stiff, error_mm), each(soft, error_mm))),
+                 sigma = mean_of(less(each(stiff, sigma_mm), each(soft, sigma_mm)));
+  std::vector<double> growth = each(soft, growth_m);
+  std::ranges::copy(each(stiff, growth_m), std::back_inserter(growth));
   const std::string measured = fmt::format(
       "two known landmarks, Q1 = 10 I less Q1 = I/10, the same noises: rms error {}, sigma {}; with Q1 = "
       "I/10 they are {:.1f} and {:.1f} mm",
-      text(error, "mm"), text(sigma, "mm"), 1000 * mean_of(each(soft, &Estimated::error_m)).value,
-      1000 * mean_of(each(soft, &Estimated::sigma_m)).value);
+      text(error, "mm"), text(sigma, "mm"), mean_of(each(soft, error_mm)).value,
+      mean_of(each(soft, sigma_mm)).value);
   const Claim nonlinear = assessed(
       "5.1-separation-nonlinear", "Section 5.1, end; Section 5.3",
       "For a nonlinear system separation is not guaranteed: the control influences the estimation (the "
@@ -352,7 +342,7 @@ std::vector<Claim> vehicle(const ExperimentSettings& settings, const std::vector
                                text(grown, "m"), growth.size()),
        .seeds = growth.size()},
       is_below(grown, 0.005));
-  return {nonlinear, unaffected, stable, need_of_observability(free_m, stiff)};
+  return {nonlinear, unaffected, stable, need_of_observability(free_m, each(stiff, final_m))};
 }
 
 }  // namespace

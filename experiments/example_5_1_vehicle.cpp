@@ -6,12 +6,12 @@
 // there is any, is that of the runs.
 #include <numbers>
 
+#include "experiments/chapter_5_numbers.hpp"
+#include "experiments/chapter_5_vehicle.hpp"
 #include "experiments/closed_loop_statistics.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_1.hpp"
-#include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/lqg_regulator.hpp"
-#include "incognita/models/motion/arc_motion.hpp"
 #include "incognita/models/motion/planar_frame.hpp"
 
 namespace incognita::section_5_1 {
@@ -23,18 +23,15 @@ Eigen::Matrix2d gain(const planar::Pose<double>& pose) {
 
 namespace {
 
-using closed_loop::body;
+using closed_loop::body, closed_loop::period_s, closed_loop::Pose;
 using Eigen::Vector2d;
-using Pose = planar::Pose<double>;
 
 const Vector2d goal(10, 10);
-constexpr ArcMotion<DifferentialDrive> vehicle{body};
-constexpr PlanarLimits limits{closed_loop::top_speed_m_s, closed_loop::top_turn_rate};
 
 /// (5.6), its rows multiplied by factors.
 Vector2d input(const Pose& pose, const Vector2d& factors) {
   const Vector2d wanted = -(gain(pose) * (pose.head<2>() - goal));
-  return limited(wanted.cwiseProduct(factors), limits).input();
+  return limited(wanted.cwiseProduct(factors), closed_loop::body_limits).input();
 }
 
 /// (5.1) of one run of 60 s; with `noise` on the inputs.
@@ -44,7 +41,7 @@ double cost(Pose pose, const Vector2d& factors, RandomStream* noise = nullptr) {
     Vector2d u = input(pose, factors);
     sum += (pose.head<2>() - goal).squaredNorm() + u.squaredNorm();
     if (noise) u += 0.1 * Vector2d(noise->normal(), noise->normal());
-    pose = vehicle.f<double>(pose, u, closed_loop::period_s);
+    pose = closed_loop::moved(pose, u);
   }
   return sum;
 }
@@ -68,19 +65,15 @@ Cheapest cheapest(const Pose& start) {
 }
 
 /// How much less the cheapest costs, in percent: least and most over eight headings.
-std::pair<double, double> savings(const Vector2d& from) {
-  double least = 100, most = 0;
-  for (int k = 0; k < 8; ++k) {
-    const double saved =
-        100 * (1 - cheapest({from.x(), from.y(), wrap_angle(k * std::numbers::pi / 4)}).share);
-    least = std::min(least, saved), most = std::max(most, saved);
-  }
-  return {least, most};
+Extremes savings(const Vector2d& from) {
+  Extremes saved;
+  for (int k = 0; k < 8; ++k)
+    saved.take(100 * (1 - cheapest({from.x(), from.y(), wrap_angle(k * std::numbers::pi / 4)}).share));
+  return saved;
 }
 
 std::vector<Claim> optimality(int seeds) {
-  const auto [far_least, far_most] = savings({-7, 0});
-  const auto [near_least, near_most] = savings({9, 9});
+  const Extremes far = savings({-7, 0}), near = savings({9, 9});
   const Pose start(9, 9, 0);
   const Cheapest best = cheapest(start);
   const Interval mean = mean_of(over_seeds(seeds, [&](std::uint64_t seed) {
@@ -91,9 +84,9 @@ std::vector<Claim> optimality(int seeds) {
       "rows of L times two constants, without noise, at eight headings: {:.2f} to {:.2f} % cheaper from (-7, "
       "0), {:.2f} to {:.2f} % from (9, 9), where no limit is reached; disturbed, from (9, 9) ahead, times "
       "{:.2f} and {:.2f}: cheaper by {} of {:.1f}",
-      far_least, far_most, near_least, near_most, best.factors[0], best.factors[1], text(mean),
+      far.least, far.most, near.least, near.most, best.factors[0], best.factors[1], text(mean),
       cost(start, {1, 1}));
-  const bool beaten = std::max(far_most, near_most) > 0.1;
+  const bool beaten = std::max(far.most, near.most) > 0.1;
   return {assessed("5.1-optimal-vehicle", "below (5.6)",
                    "The control strategy is optimal by duality from the EKF: no constant factors on the rows "
                    "of L make (5.1) less by 0.1 %",
@@ -111,35 +104,25 @@ std::vector<Claim> optimality(int seeds) {
 /// Without noise, from (-7, 0) at heading 0. The remaining share of the distance per step is taken from 25 s
 /// to 35 s: before, limits are active, and later rounding dominates.
 Claim finite_time() {
-  Pose pose(-7, 0, 0);
-  std::vector<double> distances;
-  for (int k = 0; k <= 350; ++k) {
-    distances.push_back((pose.head<2>() - goal).norm());
-    pose = vehicle.f<double>(pose, input(pose, {1, 1}), closed_loop::period_s);
-  }
+  const closed_loop::Law law = [](const Pose& pose, double) { return input(pose, {1, 1}); };
+  const std::vector<double> distances =
+      closed_loop::steer(law, {-7, 0, 0}, 35.1).distances_m(PointPath{{10, 10, 0}});
   const auto time_below = [&](double distance) {
     const auto at = std::ranges::find_if(distances, [&](double d) { return d < distance; });
-    return closed_loop::period_s * static_cast<double>(at - distances.begin());
+    return period_s * static_cast<double>(at - distances.begin());
   };
-  double least = 1, most = 0;
-  for (std::size_t k = 250; k < 350; ++k) {
-    least = std::min(least, distances[k + 1] / distances[k]);
-    most = std::max(most, distances[k + 1] / distances[k]);
-  }
-  Eigen::Vector3d modes =
-      stability_of(planar_closed_loop(body, {0, 0, 0}, {0, 0}, closed_loop::period_s, gain({0, 0, 0})))
-          .eigenvalues.cwiseAbs();
-  std::sort(modes.begin(), modes.end());
+  const Extremes left = left_by_steps(distances, 250, 350);
+  const Eigen::Vector3d modes = closed_loop::moduli({0, 0, 0}, {0, 0}, gain({0, 0, 0}));
   return assessed(
       "5.1-finite-time", "Section 5.3", "The first law reaches a desired location in finite time",
       {.printed = "finite time",
-       .measured =
-           fmt::format("without noise: within 0.1 m after {:.1f} s, 1 mm after {:.1f} s, 1 um after {:.1f} "
-                       "s; from 25 s to 35 s each step leaves {:.4f} to {:.4f} of the distance (modes of the "
-                       "position at rest: {:.4f} and {:.4f})",
-                       time_below(0.1), time_below(1e-3), time_below(1e-6), least, most, modes[0], modes[1]),
+       .measured = fmt::format(
+           "without noise: within 0.1 m after {:.1f} s, 1 mm after {:.1f} s, 1 um after {:.1f} "
+           "s; from 25 s to 35 s each step leaves {:.4f} to {:.4f} of the distance (modes of the "
+           "position at rest: {:.4f} and {:.4f})",
+           time_below(0.1), time_below(1e-3), time_below(1e-6), left.least, left.most, modes[2], modes[1]),
        .why = "it comes within any distance in finite time, and never arrives: convergence is asymptotic"},
-      distances.back() == 0, least >= 0.99 * modes[0] && most < 1);
+      distances.back() == 0, left.least >= 0.99 * modes[2] && left.most < 1);
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 // and (7, 0) along the path. The robot has arrived when it stays within 0.5 m of the reference from then on;
 // the last 50 s are the steady state.
 #include <numbers>
-#include <utility>
 
+#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/closed_loop_figures.hpp"
 #include "experiments/closed_loop_statistics.hpp"
 #include "experiments/common.hpp"
@@ -20,92 +20,35 @@ namespace {
 using namespace closed_loop;
 using section_5_2::circle;
 
-constexpr double near_m = 0.5, steady_s = 50, arrived_by_s = 40;
+constexpr double steady_s = 50;
 
 Setup setup(const planar::Pose<double>& start, double duration_s = 100) {
-  Setup s;
-  s.robots = {robot(start, ControlLaw::feedback_linearization, circle)};
-  s.robots[0].steering.gain_per_s = {section_5_2::gain_per_s};
-  s.place = sixteen_landmarks();
-  s.duration_s = duration_s;
-  return s;
+  return {.robots = {section_5_2::robot(start, circle)}, .duration_s = duration_s};
 }
 
-Setup facing_away() { return setup({-7, 0, std::numbers::pi}); }
-Setup on_path() { return setup({7, 0, std::numbers::pi / 2}, 30); }
+const Setup facing_away = setup({-7, 0, std::numbers::pi}), on_path = setup({7, 0, std::numbers::pi / 2}, 30);
 
-struct Round {
-  double arrived_s = 0, nees = 0;
-  Eigen::Array3d within = Eigen::Array3d::Zero();
-  double tracking_rms_m = 0, largest_m = 0, estimated_rms_m = 0;  ///< in the steady state
-  double speed_m_s = 0, turn_rate_deg_s = 0;                      ///< commands, means of the steady state
-  double turn_early_deg_s = 0,
-         turn_late_deg_s = 0;           ///< rms from 5 deg/s, of the first 10 s and of the steady state
-  double saturated = 0;                 ///< share of the ticks before arrival with the speed at its limit
-  int above_early = 0, above_late = 0;  ///< ticks with an eigenvalue above 1, before and after arrival
-  double first_error_m = 0, largest_eigenvalue = 0;
-};
+double arrived(const Run& run) { return arrived_s(run, circle); }
 
-void take_steady(Round& r, const Run& run, const std::vector<double>& distances) {
-  int n = 0;
-  double squares = 0, turns = 0, estimated = 0;
-  for (std::size_t k = 0; k < run.instants.size(); ++k) {
-    if (run.instants[k].t_s < steady_s) continue;
-    const Eigen::Vector2d& u = run.instants[k].robots[0].input;
-    squares += distances[k] * distances[k], r.largest_m = std::max(r.largest_m, distances[k]);
-    const Eigen::Vector2d wanted = at(Path(circle), run.instants[k].t_s).position.head<2>();
-    estimated += (run.instants[k].robots[0].mean.head<2>() - wanted).squaredNorm();
-    r.speed_m_s += u[0], r.turn_rate_deg_s += degrees(u[1]);
-    turns += std::pow(degrees(u[1]) - 5, 2), ++n;
-  }
-  r.tracking_rms_m = std::sqrt(squares / n), r.turn_late_deg_s = std::sqrt(turns / n);
-  r.estimated_rms_m = std::sqrt(estimated / n);
-  r.speed_m_s /= n, r.turn_rate_deg_s /= n;
-}
-
-Round round_of(const Run& run) {
-  Round r;
-  const std::vector<double> distances = distances_m(run, circle);
-  r.first_error_m = distances.front();
-  for (std::size_t k = 0; k < distances.size(); ++k)
-    if (!(distances[k] < near_m)) r.arrived_s = run.instants[k].t_s + period_s;
-  int before = 0, early = 0;
-  for (const Instant& i : run.instants) {
-    const RobotInstant& at = i.robots[0];
-    const double largest = moduli(at, section_5_2::gain(at.mean))[0];
-    r.largest_eigenvalue = std::max(r.largest_eigenvalue, largest);
-    (i.t_s < r.arrived_s ? r.above_early : r.above_late) += largest > 1;
-    if (i.t_s < r.arrived_s) r.saturated += std::abs(at.input[0]) > top_speed_m_s - 1e-9, ++before;
-    if (i.t_s < 10) r.turn_early_deg_s += std::pow(degrees(at.input[1]) - 5, 2), ++early;
-  }
-  r.saturated /= std::max(before, 1);
-  r.turn_early_deg_s = std::sqrt(r.turn_early_deg_s / early);
-  if (run.instants.back().t_s > steady_s) take_steady(r, run, distances);
-  r.nees = mean_nees(run);
-  r.within = share_within_two_sigmas(run);
-  return r;
-}
-
-Claim converges(const std::vector<Round>& all) {
-  const auto there = std::ranges::count_if(all, [](const Round& r) { return r.arrived_s < arrived_by_s; });
-  return assessed(
-      "5.2-converges", "Example 5.2, Figure 5.6",
+Claim converges(const Runs& runs) {
+  std::vector<Tracking> steady;
+  for (const Run& run : runs) steady.push_back(tracking(facing_away, run, steady_s));
+  return arrive_by(
+      40, each(runs, arrived), "5.2-converges", "Example 5.2, Figure 5.6",
       "The vehicle comes to the circle and follows it, while it maps: 95 % of the seeds within 0.5 m of "
       "where they should be from 40 s on at the latest",
-      {.printed = "accurately followed",
-       .measured = fmt::format("{}, from {:.1f} s on (median). In the last 50 s, rms: {}; by its own "
-                               "estimate {}. The largest of all {:.2f} m",
-                               share_text(there, all.size()), quantile(each(all, &Round::arrived_s), 0.5),
-                               spread_text(each(all, &Round::tracking_rms_m), "m"),
-                               spread_text(each(all, &Round::estimated_rms_m), "m"),
-                               quantile(each(all, &Round::largest_m), 1)),
-       .seeds = all.size()},
-      happens_in(0.95, there, all.size()));
+      "accurately followed", text(steady, "In the last 50 s, rms", "its"));
 }
 
-Claim steady_state(const std::vector<Round>& all) {
-  const Interval speed = mean_of(each(all, &Round::speed_m_s)),
-                 turn = mean_of(each(all, &Round::turn_rate_deg_s));
+double speed_m_s(const Instant& i) { return i.robots[0].input[0]; }
+double turn_deg_s(const Instant& i) { return degrees(i.robots[0].input[1]); }
+
+Claim steady_state(const Runs& runs) {
+  const auto in_steady_state = [&](double of(const Instant&)) {
+    return mean_of(
+        each(runs, [&](const Run& run) { return mean_of(over_ticks(run, of, {.from_s = steady_s})).value; }));
+  };
+  const Interval speed = in_steady_state(speed_m_s), turn = in_steady_state(turn_deg_s);
   return assessed(
       "5.2-steady-state", "Example 5.2, Figure 5.7",
       "Speed and turn rate settle around 0.6 m/s and 5 deg/s: means of the last 50 s within 0.05 m/s and 0.1 "
@@ -115,7 +58,7 @@ Claim steady_state(const std::vector<Round>& all) {
            "{}, {}; r w is {:.4f} m/s, of the axle then {:.4f}", text(speed, "m/s"), text(turn, "deg/s"),
            circle.radius_m * circle.rate_rad_s,
            circle.rate_rad_s * std::sqrt(std::pow(circle.radius_m, 2) - std::pow(body.forward_m, 2))),
-       .seeds = all.size()},
+       .seeds = runs.size()},
       agrees(speed, 0.6, 0.05) && agrees(turn, 5, 0.1));
 }
 
@@ -124,41 +67,67 @@ Finding above_in_95_percent(const std::vector<double>& samples, double bound) {
   return happens_in(0.95, above, samples.size());
 }
 
-Claim saturated(const std::vector<Round>& all) {
-  const std::vector<double> shares = each(all, [](const Round& r) { return 100 * r.saturated; });
+double percent_saturated(const Run& run) {
+  const auto saturated = [](const Instant& i) { return std::abs(speed_m_s(i)) > top_speed_m_s - 1e-9; };
+  return 100 * mean_of(over_ticks(run, saturated, {.until_s = arrived(run)})).value;
+}
+
+Claim saturated(const Runs& runs) {
+  const std::vector<double> shares = each(runs, percent_saturated);
+  const auto first_error_m = [](const Run& run) { return distances_m(run, circle).front(); };
   return assessed("5.2-saturated", "Example 5.2, Figure 5.7",
                   "At first the law chooses a saturated speed to reach the path: at more than half of the "
                   "ticks until it is there, in 95 % of the seeds",
                   {.printed = "saturated",
                    .measured = fmt::format("{:.1f} m off at first; at the limit of {} m/s at a share of "
                                            "ticks of median {:.0f} %, in 95 % of the seeds above {:.0f} %",
-                                           quantile(each(all, &Round::first_error_m), 0.5), top_speed_m_s,
+                                           quantile(each(runs, first_error_m), 0.5), top_speed_m_s,
                                            quantile(shares, 0.5), quantile(shares, 0.05)),
-                   .seeds = all.size()},
+                   .seeds = runs.size()},
                   above_in_95_percent(shares, 50));
 }
 
-Claim turn_rate(const std::vector<Round>& all) {
-  const std::vector<double> ratios =
-      each(all, [](const Round& r) { return r.turn_early_deg_s / r.turn_late_deg_s; });
+Claim turn_rate(const Runs& runs) {
+  const auto rms_from_5 = [&](const Span& span) {
+    const auto off = [](const Instant& i) { return turn_deg_s(i) - 5; };
+    return each(runs, [&](const Run& run) { return rms_of(over_ticks(run, off, span)).value; });
+  };
+  const std::vector<double> early = rms_from_5({.until_s = 10}), late = rms_from_5({.from_s = steady_s});
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < early.size(); ++i) ratios.push_back(early[i] / late[i]);
   return assessed(
       "5.2-turn-rate", "Example 5.2, Figure 5.7",
       "The turn rate fluctuates drastically at first and then settles: its rms from 5 deg/s is more than "
       "three times as large in the first 10 s as in the last 50 s, in 95 % of the seeds",
       {.printed = "drastic fluctuation",
-       .measured =
-           fmt::format("first {}, then {}; ratio in 95 % above {:.1f}",
-                       text(mean_of(each(all, &Round::turn_early_deg_s)), "deg/s"),
-                       text(mean_of(each(all, &Round::turn_late_deg_s)), "deg/s"), quantile(ratios, 0.05)),
-       .seeds = all.size()},
+       .measured = fmt::format("first {}, then {}; ratio in 95 % above {:.1f}", text(mean_of(early), "deg/s"),
+                               text(mean_of(late), "deg/s"), quantile(ratios, 0.05)),
+       .seeds = runs.size()},
       above_in_95_percent(ratios, 3));
 }
 
-Claim starts_on_path(const std::vector<Round>& on, const std::vector<Round>& away) {
-  const auto without =
-                 std::ranges::count_if(on, [](const Round&r) { return r.above_early + r.above_late == 0; }),
-             with = std::ranges::count_if(away, [](const Round&r) { return r.above_early > 0; }),
-             late = std::ranges::count_if(away, [](const Round&r) { return r.above_late > 0; });
+std::vector<double> largest_eigenvalues(const Run& run, const Span& span = {}) {
+  const auto largest = [](const Instant& i) {
+    return moduli(i.robots[0], section_5_2::gain(i.robots[0].mean))[0];
+  };
+  return over_ticks(run, largest, span);
+}
+
+double ticks_above(const Run& run, const Span& span) {
+  const auto above = std::ranges::count_if(largest_eigenvalues(run, span), [](double x) { return x > 1; });
+  return static_cast<double>(above);
+}
+
+Claim starts_on_path(const Runs& on, const Runs& away) {
+  const std::vector<double> largest =
+      each(on, [](const Run& run) { return std::ranges::max(largest_eigenvalues(run)); });
+  const std::vector<double> early =
+      each(away, [](const Run& run) { return ticks_above(run, {.until_s = arrived(run)}); });
+  const std::vector<double> later =
+      each(away, [](const Run& run) { return ticks_above(run, {.from_s = arrived(run)}); });
+  const auto without = std::ranges::count_if(largest, [](double x) { return !(x > 1); }),
+             with = std::ranges::count_if(early, [](double ticks) { return ticks > 0; }),
+             late = std::ranges::count_if(later, [](double ticks) { return ticks > 0; });
   return assessed("5.2-start-on-path", "below Figure 5.8",
                   "A path that begins at the vehicle's first pose would suffice against the unstable "
                   "transient: no eigenvalue above 1 at any tick, in 95 % of the seeds",
@@ -166,9 +135,8 @@ Claim starts_on_path(const std::vector<Round>& on, const std::vector<Round>& awa
                    .measured = fmt::format(
                        "no eigenvalue above 1: {}, largest of all {:.4f}; from (-7, 0) facing away there is "
                        "one in {}, for {:.1f} s (mean), after arrival in {}",
-                       share_text(without, on.size()), quantile(each(on, &Round::largest_eigenvalue), 1),
-                       share_text(with, on.size()), period_s * mean_of(each(away, &Round::above_early)).value,
-                       share_text(late, on.size())),
+                       share_text(without, on.size()), quantile(largest, 1), share_text(with, on.size()),
+                       period_s * mean_of(early).value, share_text(late, on.size())),
                    .seeds = on.size()},
                   happens_in(0.95, without, on.size()));
 }
@@ -179,14 +147,13 @@ Claim guaranteed(const ExperimentSettings& settings) {
   Setup rough = setup({-7, 0, std::numbers::pi}, 60);
   rough.anchors = 2;
   rough.noise = 8;
-  const auto largest_of = [](const Run& run) {
-    const std::vector<double> distances = distances_m(run, circle);
-    const auto from = [&](double t) { return distances.begin() + std::lround(t / period_s); };
-    return std::pair(*std::max_element(from(40), from(50)), *std::max_element(from(50), distances.end()));
+  const Runs runs = runs_of(settings, "5.2, two anchors, noises times 8", rough);
+  const auto largest_m = [&](const Span& span) {
+    return each(runs, [&](const Run& run) { return std::ranges::max(distances_m(run, circle, span)); });
   };
-  const auto all = over_seeds(settings, "5.2, two anchors, noises times 8", rough, largest_of);
-  const std::vector<double> worst = each(all, [](const auto&p) { return std::max(p.first, p.second); }),
-                            growth = each(all, [](const auto&p) { return p.second - p.first; });
+  const std::vector<double> worst = largest_m({.from_s = 40}),
+                            growth =
+                                less(largest_m({.from_s = 50}), largest_m({.from_s = 40, .until_s = 50}));
   const Interval grown = mean_of(growth, assessed_at);
   return assessed("5.2-guaranteed", "Section 5.2, end of Example 5.2",
                   "In SLAM with full observability the control is stable: with two known landmarks, even "
@@ -199,23 +166,18 @@ Claim guaranteed(const ExperimentSettings& settings) {
                   quantile(worst, 1) < 3 && is_below(grown, 0.1));
 }
 
-Claim consistent(const std::vector<Round>& all) {
-  std::vector<Eigen::Array3d> within;
-  for (const Round& r : all) within.push_back(r.within);
-  return consistent_enough("5.2-consistent", "Figure 5.7", each(all, &Round::nees), within);
-}
-
 LedgerEntry run(const ExperimentSettings& settings) {
-  const std::vector<Round> away = over_seeds(settings, "5.2, facing away", facing_away(), round_of),
-                           on = over_seeds(settings, "5.2, from the path's start", on_path(), round_of);
-  const Run first = drive(facing_away(), 1);
+  const Runs away = runs_of(settings, "5.2, facing away", facing_away),
+             on = runs_of(settings, "5.2, from the path's start", on_path);
+  const Run& first = away.front();
   return entry_of(example_5_2, settings,
                   concatenated({section_5_2::equation_claims(),
                                 section_5_2::convergence_claims(),
                                 {converges(away), steady_state(away), saturated(away), turn_rate(away)},
                                 section_5_2::heading_claims(),
-                                {starts_on_path(on, away), guaranteed(settings), consistent(away)}}),
-                  {map_figure("fig-5.6", "Feedback linearization and SLAM", facing_away(), first),
+                                {starts_on_path(on, away), guaranteed(settings),
+                                 consistent_enough("5.2-consistent", "Figure 5.7", away)}}),
+                  {map_figure("fig-5.6", "Feedback linearization and SLAM", facing_away, first),
                    state_figure("fig-5.7", "State estimation and control by feedback linearization", first),
                    eigenvalue_figure("fig-5.8", "Feedback linearization: eigenvalues of F - G L", first,
                                      section_5_2::gain)});

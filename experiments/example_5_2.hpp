@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "experiments/closed_loop_run.hpp"
+#include "experiments/chapter_5_vehicle.hpp"
 #include "incognita/report/ledger.hpp"
 
 namespace incognita::section_5_2 {
@@ -17,12 +17,8 @@ inline const CirclePath circle{};
 /// L = Q_r^-1 Q2, below (5.13).
 Eigen::Matrix2d gain(const planar::Pose<double>& pose);
 
-/// The vehicle whose state is known, without noise, from tick to tick.
-struct Way {
-  std::vector<planar::Pose<double>> poses;
-  std::vector<Eigen::Vector2d> inputs;  ///< that each pose was left with
-  double distance_m(const Path& path, std::size_t tick) const;
-};
+/// A robot that this law steers.
+closed_loop::Robot robot(const planar::Pose<double>& start, const Path& path);
 
 /// How (5.9), (5.12), (5.13) and (5.15) are to be read.
 std::vector<Claim> equation_claims();
@@ -32,6 +28,7 @@ std::vector<Claim> convergence_claims();
 std::vector<Claim> heading_claims();
 
 /// Our law along a path, from a start, within the limits.
+using closed_loop::Way;
 Way follow(const Path& path, const planar::Pose<double>& start, double duration_s);
 
 }  // namespace incognita::section_5_2

@@ -6,20 +6,17 @@
 // bound of control/held_command.hpp.
 #include <Eigen/Geometry>
 
+#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
 #include "incognita/control/feedback_linearization.hpp"
 #include "incognita/control/held_command.hpp"
-#include "incognita/models/motion/arc_motion.hpp"
 
 namespace incognita::section_5_2 {
 namespace {
 
-using closed_loop::body;
-using closed_loop::period_s;
-using Eigen::Matrix2d;
+using namespace closed_loop;
 using Eigen::Vector2d;
-using Pose = planar::Pose<double>;
 
 /// Largest distance after one held command over that before it, where -k e turns the body at that rate.
 double worst_ratio(double k, double hold_s, double turn_rate) {
@@ -27,8 +24,7 @@ double worst_ratio(double k, double hold_s, double turn_rate) {
   for (double forward = -3; forward <= 3; forward += 0.05) {
     const Vector2d velocity(forward, turn_rate * body.forward_m);
     const Pose start(-velocity.x() / k, -velocity.y() / k, 0);
-    const Pose end =
-        ArcMotion<DifferentialDrive>{body}.f<double>(start, input_for_velocity(body, 0, velocity), hold_s);
+    const Pose end = moved(start, input_for_velocity(body, 0, velocity), hold_s);
     worst = std::max(worst, end.head<2>().norm() / start.head<2>().norm());
   }
   return worst;
@@ -40,8 +36,7 @@ double farthest_m(double lever_m, double k, double hold_s) {
   Pose pose(0, 0.3, 0);
   double farthest = 0;
   for (int i = 0; i < 200; ++i) {
-    const Vector2d u = input_for_velocity(vehicle, pose[2], -k * pose.head<2>());
-    pose = ArcMotion<DifferentialDrive>{vehicle}.f<double>(pose, u, hold_s);
+    pose = moved(pose, input_for_velocity(vehicle, pose[2], -k * pose.head<2>()), hold_s, vehicle);
     farthest = std::max(farthest, pose.head<2>().norm());
   }
   return farthest;
@@ -77,23 +72,17 @@ Claim gains() {
 
 /// Least and most that a command leaves of the distance, from 20 s to 40 s: before, the limits are in it, and
 /// later, rounding.
-struct Left {
-  double least = 1, most = 0;
-  Left(const Way& way, const Path& path) {
-    for (std::size_t k = 200; k < 400; ++k) {
-      const double ratio = way.distance_m(path, k + 1) / way.distance_m(path, k);
-      least = std::min(least, ratio), most = std::max(most, ratio);
-    }
-  }
-  bool is(double factor) const { return std::abs(least - factor) < 0.01 && std::abs(most - factor) < 0.01; }
-};
+Extremes left_of(const std::vector<double>& distances) { return left_by_steps(distances, 200, 400); }
 
 Claim finite_time() {
   const Path origin = PointPath{};
-  const Way still = follow(origin, {-2, 1, 0}, 60), moving = follow(circle, {-7, 0, 0}, 60);
-  const Left of_still(still, origin), of_moving(moving, circle);
-  const double factor = 1 - gain_per_s * period_s, left = still.distance_m(origin, 400),
-               behind = moving.distance_m(circle, 400);
+  const auto still = follow(origin, {-2, 1, 0}, 60).distances_m(origin),
+             moving = follow(circle, {-7, 0, 0}, 60).distances_m(circle);
+  const Extremes of_still = left_of(still), of_moving = left_of(moving);
+  const double factor = 1 - gain_per_s * period_s, left = still[400], behind = moving[400];
+  const auto is_factor = [&](const Extremes& e) {
+    return std::abs(e.least - factor) < 0.01 && std::abs(e.most - factor) < 0.01;
+  };
   return assessed(
       "5.2-finite-time", "below (5.13)", "The tracking error converges to zero in finite time",
       {.printed = "finite time",
@@ -102,7 +91,7 @@ Claim finite_time() {
            "command leaves {:.4f} to {:.4f} and {:.4f} to {:.4f} of it, 1 - K dt is {:.4f}",
            left, behind, of_still.least, of_still.most, of_moving.least, of_moving.most, factor),
        .why = "asymptotically: each command leaves the same share of the error"},
-      left == 0 && behind == 0, of_still.is(factor) && of_moving.is(factor));
+      left == 0 && behind == 0, is_factor(of_still) && is_factor(of_moving));
 }
 
 }  // namespace

@@ -7,51 +7,32 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <functional>
 
 #include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
 #include "incognita/control/feedback_linearization.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/motion/arc_motion.hpp"
 
 namespace incognita::section_5_2 {
 namespace {
 
-using closed_loop::body;
-using closed_loop::period_s;
+using namespace closed_loop;
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
-using Pose = planar::Pose<double>;
 
 constexpr int places = 1000;
 constexpr double as_good_as_zero = 1e-9;
-constexpr PlanarLimits limits{closed_loop::top_speed_m_s, closed_loop::top_turn_rate};
 
-/// Speed and turn rate, by the pose and the time.
-using Law = std::function<Vector2d(const Pose&, double)>;
-
-Way drive(const DifferentialDrive& vehicle, const Law& law, Pose pose, double duration_s) {
-  Way way;
-  const auto ticks = std::lround(duration_s / period_s);
-  for (long k = 0; k < ticks; ++k) {
-    way.poses.push_back(pose);
-    way.inputs.push_back(limited(law(pose, period_s * static_cast<double>(k)), limits).input());
-    pose = ArcMotion<DifferentialDrive>{vehicle}.f<double>(pose, way.inputs.back(), period_s);
-  }
-  return way;
-}
-
-struct SourceLocation {
+struct Place {
   Pose pose;
   Vector2d input;
 };
 
-std::vector<SourceLocation> some_places() {
+std::vector<Place> some_places() {
   RandomStream random(1, "places");
-  std::vector<SourceLocation> all;
+  std::vector<Place> all;
   for (int i = 0; i < places; ++i) {
-    SourceLocation p;
+    Place p;
     p.pose << random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(-3.1, 3.1);
     p.input << random.uniform(-1, 1), random.uniform(-1, 1);
     all.push_back(p);
@@ -62,9 +43,9 @@ std::vector<SourceLocation> some_places() {
 Claim model() {
   Worst worst;
   double held = 0;
-  for (const SourceLocation& p : some_places()) {
+  for (const Place& p : some_places()) {
     const Vector2d y = p.pose.head<2>(), velocity = point_velocity_by_input(body, p.pose[2]) * p.input;
-    const Vector2d next = ArcMotion<DifferentialDrive>{body}.f<double>(p.pose, p.input, period_s).head<2>();
+    const Vector2d next = moved(p.pose, p.input).head<2>();
     worst.take((velocity - next).norm(), (velocity - body.rate<double>(p.pose, p.input).head<2>()).norm());
     held = std::max(held, (y + period_s * velocity - next).norm());
   }
@@ -82,15 +63,12 @@ Claim model() {
 
 Claim linearized() {
   double worst = 0, turned = 0;
-  for (const SourceLocation& p : some_places()) {
+  for (const Place& p : some_places()) {
     const Vector2d wanted = p.input;  // any velocity
     const Vector2d u = input_for_velocity(body, p.pose[2], wanted);
     worst = std::max(worst, (body.rate<double>(p.pose, u).head<2>() - wanted).norm());
-    const PlanarCommand command = limited(u, limits);
-    const Vector2d moved =
-        ArcMotion<DifferentialDrive>{body}.f<double>(p.pose, command.input(), period_s).head<2>() -
-        p.pose.head<2>();
-    const double angle = std::acos(std::min(1.0, moved.normalized().dot(wanted.normalized())));
+    const Vector2d by_command = moved(p.pose, limited(u, body_limits).input()).head<2>() - p.pose.head<2>();
+    const double angle = std::acos(std::min(1.0, by_command.normalized().dot(wanted.normalized())));
     turned = std::max(turned, degrees(angle));
   }
   return assessed(
@@ -114,10 +92,8 @@ Claim pseudo_inverse() {
         .completeOrthogonalDecomposition()
         .solve(velocity_towards(at(Path(circle), t), gain_per_s * Matrix2d::Identity(), pose.head<2>()));
   };
-  const Way way = drive({0, 0}, smallest, {-7, 0, 0}, 144);
-  double mean = 0;
-  for (std::size_t k = 720; k < way.poses.size(); ++k)
-    mean += way.distance_m(circle, k) / static_cast<double>(way.poses.size() - 720);
+  const double mean =
+      mean_of(steer(smallest, {-7, 0, 0}, two_rounds_s, {0, 0}).distances_m(circle, second_round)).value;
   const bool usable = printed > as_good_as_zero;
   return assessed(
       "5.2-pseudo-inverse", "footnote 1, Section 5.2; below Figure 5.8",
@@ -133,12 +109,6 @@ Claim pseudo_inverse() {
       usable && mean < 0.05, !usable && off_axle.determinant() > as_good_as_zero);
 }
 
-struct Reading {
-  std::string name;
-  Law law;
-  double worst_m = 0, mean_m = 0;  ///< from the circle in the second round
-};
-
 Vector2d wanted_velocity(double t, bool with_rate) {
   const Vector2d velocity = at(Path(circle), t).velocity.head<2>();
   return with_rate ? velocity : Vector2d(velocity / circle.rate_rad_s);  // (5.15)
@@ -152,27 +122,20 @@ Law reading(double sign, double feedback, bool with_rate) {
   };
 }
 
-Reading read(const std::string& name, const Law& law) {
-  const Way way = drive(body, law, {-7, 0, 0}, 144);
-  Reading r{name, law, 0, 0};
-  for (std::size_t k = 720; k < way.poses.size(); ++k) {
-    r.worst_m = std::max(r.worst_m, way.distance_m(circle, k));
-    r.mean_m += way.distance_m(circle, k) / static_cast<double>(way.poses.size() - 720);
-  }
-  return r;
+/// From the circle in the second round.
+std::vector<double> errors_m(const Law& law) {
+  return steer(law, {-7, 0, 0}, two_rounds_s).distances_m(circle, second_round);
 }
 
 Claim law() {
   const double K = gain_per_s;
-  const Reading printed = read("(5.12) with (5.15)", reading(-1, -K, false)),
-                rate = read("(5.12) with w in (5.15)", reading(-1, -K, true)),
-                of_5_21 = read("(5.21) with w", reading(1, -K, true)),
-                of_5_9 = read("(5.9) with (5.15)", reading(1, K, false)),
-                ours = read("ours", reading(1, K, true));
-  std::string measured = "mean error in the second round:";
-  for (const Reading& r : {printed, rate, of_5_21, of_5_9, ours})
-    measured += fmt::format(" {} {:.3g} m;", r.name, r.mean_m);
-  measured += fmt::format(" ours at most {:.1e} m", ours.worst_m);
+  const std::vector<double> printed = errors_m(reading(-1, -K, false)), ours = errors_m(reading(1, K, true));
+  const auto mean = [](const std::vector<double>& errors) { return mean_of(errors).value; };
+  const std::string measured = fmt::format(
+      "mean error in the second round: (5.12) with (5.15) {:.3g} m; (5.12) with w in (5.15) {:.3g} m; (5.21) "
+      "with w {:.3g} m; (5.9) with (5.15) {:.3g} m; ours {:.3g} m; ours at most {:.1e} m",
+      mean(printed), mean(errors_m(reading(-1, -K, true))), mean(errors_m(reading(1, -K, true))),
+      mean(errors_m(reading(1, K, false))), mean(ours), std::ranges::max(ours));
   return assessed(
       "5.2-law", "(5.8), (5.9), (5.12), (5.15)",
       "The control law follows the circle, within 5 cm in the second round",
@@ -180,7 +143,7 @@ Claim law() {
        .measured = measured,
        .why = "u = Q_r^-1 (ydot* + Q2 (y* - y)), with the velocity of the path and its factor w. (5.9) has "
               "these signs, (5.12) drives with the negative velocity, (5.21) away from the path"},
-      printed.worst_m < 0.05, ours.worst_m < 0.05);
+      Worst{std::ranges::max(printed), std::ranges::max(ours)}, 0.05);
 }
 
 Claim velocity_of_path() {
@@ -205,16 +168,19 @@ Claim velocity_of_path() {
 
 Matrix2d gain(const Pose& pose) { return gain_per_s * point_velocity_by_input(body, pose[2]).inverse(); }
 
-double Way::distance_m(const Path& path, std::size_t tick) const {
-  return (poses[tick].head<2>() - at(path, period_s * static_cast<double>(tick)).position.head<2>()).norm();
+Robot robot(const Pose& start, const Path& path) {
+  Robot robot = closed_loop::robot(start, ControlLaw::feedback_linearization, path);
+  robot.steering.gain_per_s = {gain_per_s};
+  return robot;
 }
 
 Way follow(const Path& path, const Pose& start, double duration_s) {
-  const FeedbackLinearization law(
-      {.body = body, .gain_per_s = gain_per_s * Matrix2d::Identity(), .hold_s = period_s, .limits = limits});
-  return drive(
-      body, [&](const Pose& pose, double t) { return law.act(pose, at(path, t)).input(); }, start,
-      duration_s);
+  const FeedbackLinearization law({.body = body,
+                                   .gain_per_s = gain_per_s * Matrix2d::Identity(),
+                                   .hold_s = period_s,
+                                   .limits = body_limits});
+  return steer([&](const Pose& pose, double t) { return law.act(pose, at(path, t)).input(); }, start,
+               duration_s);
 }
 
 std::vector<Claim> equation_claims() {

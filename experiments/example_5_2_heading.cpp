@@ -5,6 +5,7 @@
 // L, 0] as in the runs. An eigenvalue counts as above 1 from 1 + 1e-9 on; the error as large from 1 m on.
 #include <numbers>
 
+#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/closed_loop_statistics.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
@@ -13,52 +14,27 @@
 namespace incognita::section_5_2 {
 namespace {
 
-using closed_loop::body;
-using closed_loop::period_s;
+using namespace closed_loop;
 using Eigen::MatrixXd;
-using Pose = planar::Pose<double>;
 
 constexpr int headings = 16;
 
 Pose start_of(int i) { return {-7, 0, wrap_angle(2 * std::numbers::pi * i / headings)}; }
 
-double largest_eigenvalue(const Way& way, std::size_t k) {
-  return closed_loop::moduli({way.poses[k], way.poses[k], Eigen::Matrix3d::Zero(), way.inputs[k]},
-                             gain(way.poses[k]))[0];
-}
-
-/// What of Figure 5.8 depends on what.
-struct Counted {
-  int far = 0, far_above = 0, close = 0, close_above = 0;  ///< ticks, by the size of the error
-  int ahead_above = 0, back_below = 0;                     ///< by the direction of motion
-  int headings_above = 0;  ///< starts from which an eigenvalue was ever above 1
-  double largest = 0, longest_s = 0;
-};
-
-Counted count() {
-  Counted c;
-  for (int i = 0; i < headings; ++i) {
-    const Way way = follow(circle, start_of(i), 144);
-    int above_here = 0;
-    for (std::size_t k = 0; k < way.poses.size(); ++k) {
-      const bool far = way.distance_m(circle, k) > 1;
-      const double largest = largest_eigenvalue(way, k);
-      const bool above = largest > 1 + 1e-9;
-      (far ? c.far : c.close) += 1;
-      (far ? c.far_above : c.close_above) += above;
-      c.ahead_above += above && way.inputs[k][0] > 0;
-      c.back_below += !above && way.inputs[k][0] < -1e-6;
-      above_here += above;
-      c.largest = std::max(c.largest, largest);
-    }
-    c.headings_above += above_here > 0;
-    c.longest_s = std::max(c.longest_s, period_s * above_here);
-  }
-  return c;
-}
-
 Claim initial_transient() {
-  const Counted c = count();
+  EigenvalueCount c{.limit = 1 + 1e-9, .backward_m_s = -1e-6};  // more than 1 m off, and nearer
+  int headings_above = 0;
+  double longest_s = 0;
+  for (int i = 0; i < headings; ++i) {
+    const Way way = follow(circle, start_of(i), two_rounds_s);
+    const int above_before = c.away_above + c.there_above;
+    for (std::size_t k = 0; k < way.poses.size(); ++k)
+      c.take(moduli(way.poses[k], way.inputs[k], gain(way.poses[k]))[0], way.inputs[k][0],
+             !(way.distance_m(circle, k) > 1));
+    const int above = c.away_above + c.there_above - above_before;
+    headings_above += above > 0;
+    longest_s = std::max(longest_s, period_s * above);
+  }
   return assessed(
       "5.2-eigenvalues", "above and in Figure 5.8",
       "While the tracking error is large at first the error dynamics are not stable; once the vehicle is "
@@ -68,13 +44,13 @@ Claim initial_transient() {
            "from (-7, 0) at {} headings: an eigenvalue above 1 at {} of {} ticks more than 1 m off, at {} of "
            "{} nearer; up to {:.4f}, for at most {:.1f} s; from {} of the headings. With the vehicle moving "
            "forward {} times, moving backward and none above 1 {} times",
-           headings, c.far_above, c.far, c.close_above, c.close, c.largest, c.longest_s, c.headings_above,
+           headings, c.away_above, c.away, c.there_above, c.there, c.largest, longest_s, headings_above,
            c.ahead_above, c.back_below),
        .why = "stable near the path, yes; at first it is not the size of the error that makes it unstable, "
               "but moving backward: the heading turns away from the direction of motion until the vehicle "
               "has turned around. When it starts facing the path it is always stable"},
-      c.far_above == c.far && c.close_above == 0,
-      c.far_above > 0 && c.far_above < c.far && c.close_above == 0 && c.ahead_above == 0 &&
+      c.away_above == c.away && c.there_above == 0,
+      c.away_above > 0 && c.away_above < c.away && c.there_above == 0 && c.ahead_above == 0 &&
           c.back_below == 0);
 }
 
@@ -82,29 +58,31 @@ Claim whole_pose() {
   const Eigen::Matrix3d F = body.step({0, 0, 0.3}, {0, 0}, period_s).F;
   const MatrixXd G = body.step({0, 0, 0.3}, {0, 0}, period_s).G;
   const SteadyGain regulator = steady_gain(F, G, MatrixXd::Identity(3, 3), MatrixXd::Identity(2, 2));
-  double farthest = 0, least = 10, most = -10;
+  double farthest = 0;
+  Extremes turned;
   for (int i = 0; i < headings; ++i) {
-    const Way way = follow(PointPath{}, start_of(i), 60);
-    farthest = std::max(farthest, way.poses.back().head<2>().norm());
-    least = std::min(least, way.poses.back()[2]), most = std::max(most, way.poses.back()[2]);
+    const Pose end = follow(PointPath{}, start_of(i), 60).poses.back();
+    farthest = std::max(farthest, end.head<2>().norm());
+    turned.take(end[2]);
   }
-  return assessed("5.2-whole-pose", "below Figure 5.8, with [17]",
-                  "The whole pose of this vehicle cannot be stabilized (at a point, by a linear law of its "
-                  "inputs); its position can, and the final heading is free",
-                  {.printed = "cannot",
-                   .measured = fmt::format(
-                       "regulator of the pose at rest: {}. From {} headings, after 60 s: at most {:.1e} m "
-                       "from the point, with headings from {:.0f} to {:.0f} deg",
-                       sentence(regulator.outcome), headings, farthest, degrees(least), degrees(most))},
-                  regulator.outcome == RegulatorOutcome::not_stabilizable && farthest < 1e-3 &&
-                      most - least > radians(20));
+  return assessed(
+      "5.2-whole-pose", "below Figure 5.8, with [17]",
+      "The whole pose of this vehicle cannot be stabilized (at a point, by a linear law of its "
+      "inputs); its position can, and the final heading is free",
+      {.printed = "cannot",
+       .measured = fmt::format(
+           "regulator of the pose at rest: {}. From {} headings, after 60 s: at most {:.1e} m "
+           "from the point, with headings from {:.0f} to {:.0f} deg",
+           sentence(regulator.outcome), headings, farthest, degrees(turned.least), degrees(turned.most))},
+      regulator.outcome == RegulatorOutcome::not_stabilizable && farthest < 1e-3 &&
+          turned.most - turned.least > radians(20));
 }
 
 Claim free_heading() {
   double worst = 0, spread = 0, first = 0;
   for (int i = 0; i < headings; ++i) {
-    const Way way = follow(circle, start_of(i), 144);
-    for (std::size_t k = 720; k < way.poses.size(); ++k) worst = std::max(worst, way.distance_m(circle, k));
+    const Way way = follow(circle, start_of(i), two_rounds_s);
+    worst = std::max(worst, std::ranges::max(way.distances_m(circle, second_round)));
     if (i == 0) first = way.poses.back()[2];
     spread = std::max(spread, std::abs(wrap_angle(way.poses.back()[2] - first)));
   }

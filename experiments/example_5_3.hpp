@@ -22,15 +22,8 @@ std::vector<Claim> estimation_claims();
 /// their measurements in that map. m^2.
 std::vector<double> least_traces(const closed_loop::Setup& setup);
 
-/// Of one run, against its least traces.
-struct Traces {
-  double rise = 0;                             ///< largest of a trace from one tick to the next, relative
-  double lowest = 0, median = 0, highest = 0;  ///< of the last traces over the least, by landmark
-};
-Traces traces_of(const closed_loop::Run& run, const std::vector<double>& least);
-
-/// Figure 5.11. `all`: of the seeds of two_circles().
-std::vector<Claim> map_claims(const ExperimentSettings& settings, const std::vector<Traces>& all);
+/// Figure 5.11, by runs of two_circles().
+std::vector<Claim> map_claims(const ExperimentSettings& settings, const std::vector<closed_loop::Run>& runs);
 Plot traces_figure(const closed_loop::Run& run);
 
 }  // namespace incognita::section_5_3

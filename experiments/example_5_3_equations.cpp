@@ -14,7 +14,6 @@
 #include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/feedback_linearization.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/models/motion/arc_motion.hpp"
 #include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita::section_5_3 {
@@ -26,28 +25,23 @@ using Eigen::Matrix2d;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-using Pose = planar::Pose<double>;
 
 constexpr double as_good_as_zero = 1e-9;
 const Matrix2d K = section_5_2::gain_per_s * Matrix2d::Identity();
-constexpr PlanarLimits limits{top_speed_m_s, top_turn_rate};
 
 /// Mean distance of both robots from where they should be, in the second round, with u = Q_r^-1 (ydot* + sign
 /// K (y* - y)).
 double mean_error_m(double sign) {
-  double sum = 0;
-  int ticks = 0;
+  std::vector<double> errors;
   for (const Robot& robot : two_circles().robots) {
-    Pose pose = robot.start;
-    for (int k = 0; k < 1440; ++k) {
-      const Reference reference = at(robot.steering.path, k * period_s);
-      if (k >= 720) sum += (pose.head<2>() - reference.position.head<2>()).norm(), ++ticks;
-      const Vector2d velocity = velocity_towards(reference, sign * K, pose.head<2>());
-      pose = ArcMotion<DifferentialDrive>{body}.f<double>(
-          pose, limited(input_for_velocity(body, pose[2], velocity), limits).input(), period_s);
-    }
+    const Path& path = robot.steering.path;
+    const Law law = [&](const Pose& pose, double t) {
+      return input_for_velocity(body, pose[2], velocity_towards(at(path, t), sign * K, pose.head<2>()));
+    };
+    std::ranges::copy(steer(law, robot.start, two_rounds_s).distances_m(path, second_round),
+                      std::back_inserter(errors));
   }
-  return sum / ticks;
+  return mean_of(errors).value;
 }
 
 Claim law() {
@@ -98,10 +92,9 @@ Claim error_recursion() {
     const LinearSystem s = section_5_1::some_system(random);
     const Index n = s.F.rows();
     const MatrixXd gain = 0.3 * section_5_1::some_matrix(random, n, s.H.rows()), A = s.F - gain * s.H * s.F;
-    const VectorXd x = section_5_1::some_matrix(random, n, 1), x_hat = section_5_1::some_matrix(random, n, 1),
-                   u = section_5_1::some_matrix(random, s.G.cols(), 1),
-                   v = section_5_1::some_matrix(random, s.G.cols(), 1),
-                   w = section_5_1::some_matrix(random, s.H.rows(), 1);
+    const auto some_vector = [&](Index size) { return section_5_1::some_matrix(random, size, 1); };
+    const VectorXd x = some_vector(n), x_hat = some_vector(n), u = some_vector(s.G.cols()),
+                   v = some_vector(s.G.cols()), w = some_vector(s.H.rows());
     const VectorXd x_next = s.F * x + s.G * (u + v), expected = s.F * x_hat + s.G * u,
                    x_hat_next = expected + gain * (s.H * x_next + w - s.H * expected);
     const VectorXd noise = (s.G - gain * s.H * s.G) * v - gain * w;
@@ -160,6 +153,15 @@ MatrixXd gain_of(const Point& at, Index states) {
   return L;
 }
 
+/// A block for each robot.
+template <class Block>
+MatrixXd block_diagonal(const Point& at, const Block& of) {
+  const auto robots = static_cast<Index>(at.poses.size());
+  MatrixXd M = MatrixXd::Zero(2 * robots, 2 * robots);
+  for (Index r = 0; r < robots; ++r) M.block<2, 2>(2 * r, 2 * r) = of(at.poses[static_cast<std::size_t>(r)]);
+  return M;
+}
+
 /// Kalman's, for a covariance of the sizes that the runs have.
 MatrixXd kalman(const ControlledSystem& s) {
   const MatrixXd P = 0.01 * MatrixXd::Identity(s.F.rows(), s.F.rows());
@@ -181,15 +183,11 @@ std::vector<Claim> separable() {
   const MatrixXd L = gain_of(belief, plant.F.rows()), gain = kalman(filter);
   const Separation same = separation(filter, filter, L, gain), apart = separation(plant, filter, L, gain);
 
-  const Index robots = static_cast<Index>(belief.poses.size());
-  MatrixXd Q_r = MatrixXd::Zero(2 * robots, 2 * robots), positions = MatrixXd::Zero(2 * robots, 2 * robots);
-  for (Index r = 0; r < robots; ++r) {
-    const Matrix2d block = point_velocity_by_input(body, belief.poses[static_cast<std::size_t>(r)][2]);
-    Q_r.block<2, 2>(2 * r, 2 * r) = block;
-    positions.block<2, 2>(2 * r, 2 * r) =
-        Matrix2d::Identity() -
-        period_s * block * section_5_2::gain(belief.poses[static_cast<std::size_t>(r)]);
-  }
+  const MatrixXd Q_r = block_diagonal(
+      belief, [](const Pose& pose) -> Matrix2d { return point_velocity_by_input(body, pose[2]); });
+  const MatrixXd positions = block_diagonal(belief, [](const Pose& pose) -> Matrix2d {
+    return Matrix2d::Identity() - period_s * point_velocity_by_input(body, pose[2]) * section_5_2::gain(pose);
+  });
   const auto in_loop = [&](const MatrixXd& part) {
     double farthest = 0;
     for (const std::complex<double>& value : stability_of(part).eigenvalues)

@@ -27,7 +27,6 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-using Pose = planar::Pose<double>;
 
 /// A pose with a prior, and measurements of known landmarks.
 struct Problem {
@@ -174,9 +173,9 @@ Unseen unseen(const Setup& setup, int anchors) {
 }
 
 Claim observability() {
-  Setup to_goal = two_circles(), round = two_circles();
-  to_goal.robots = {robot({-7, 0, 0}, ControlLaw::lqg, PointPath{{10, 10, 0}})};
-  round.robots = {robot({-7, 0, std::numbers::pi}, ControlLaw::feedback_linearization, section_5_2::circle)};
+  const Setup to_goal{.robots = {robot({-7, 0, 0}, ControlLaw::lqg, PointPath{{10, 10, 0}})},
+                      .duration_s = 80},
+      round{.robots = {section_5_2::robot({-7, 0, std::numbers::pi}, section_5_2::circle)}, .duration_s = 80};
   Cases none_gained;
   bool all_with_two = true;
   for (const auto& [name, setup] : {std::pair("regulator", to_goal), std::pair("circle", round),

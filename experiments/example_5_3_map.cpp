@@ -48,58 +48,79 @@ Matrix3d information_of_start(const Setup& setup, const Robot& robot) {
   return Y;
 }
 
-Claim never_rise(const std::vector<Traces>& all) {
-  const double rise = quantile(each(all, &Traces::rise), 1);
+/// The largest rise of a trace from one tick to the next, relative.
+double largest_rise(const Run& run) {
+  double rise = 0;
+  for (std::size_t k = 1; k < run.instants.size(); ++k)
+    for (std::size_t l = 0; l < run.instants[k].traces.size(); ++l) {
+      const double before = run.instants[k - 1].traces[l], now = run.instants[k].traces[l];
+      if (std::isfinite(before)) rise = std::max(rise, now / before - 1);
+    }
+  return rise;
+}
+
+Claim never_rise(const Runs& runs) {
+  const double rise = quantile(each(runs, largest_rise), 1);
   return assessed("5.3-traces-fall", "Figure 5.11",
                   "All landmark localization uncertainties decrease as the algorithm proceeds: no trace ever "
                   "rises, to 1e-9 of itself",
                   {.printed = "decrease",
                    .measured = fmt::format(
                        "largest relative rise of any landmark at any tick of any seed: {}", below(rise)),
-                   .runs = all.size()},
+                   .runs = runs.size()},
                   rise <= 1e-9);
 }
 
-/// Lowest, median and highest of many runs, as text, and whether none is below.
-struct Span {
+/// Last traces over the least, by landmark.
+std::vector<double> last_over_least(const Run& run, const std::vector<double>& least) {
+  std::vector<double> ratios;
+  for (std::size_t l = 0; l < least.size(); ++l)
+    if (const double last = run.instants.back().traces[l]; std::isfinite(last))
+      ratios.push_back(last / least[l]);
+  return ratios;
+}
+
+/// Of all landmarks of many runs; the median is that of the runs' medians.
+struct Settled {
   double lowest, median, highest;
-  explicit Span(const std::vector<Traces>& all)
-      : lowest(quantile(each(all, &Traces::lowest), 0)),
-        median(quantile(each(all, &Traces::median), 0.5)),
-        highest(quantile(each(all, &Traces::highest), 1)) {}
+  Settled(const Runs& runs, const std::vector<double>& least) {
+    const auto of_runs = [&](double share) {
+      const auto of_run = [&](const Run& run) { return quantile(last_over_least(run, least), share); };
+      return quantile(each(runs, of_run), share);
+    };
+    lowest = of_runs(0), median = of_runs(0.5), highest = of_runs(1);
+  }
   std::string text() const {
     return fmt::format("{:.2f} to {:.2f} times (median {:.2f})", lowest, highest, median);
   }
   bool stays_above() const { return lowest >= 0.99; }
 };
 
-Claim settle(const ExperimentSettings& settings, const std::vector<Traces>& all) {
+Claim settle(const ExperimentSettings& settings, const Runs& runs) {
   const std::vector<double> least = least_traces(two_circles());
   const auto [low, high] = std::ranges::minmax_element(least);
-  ExperimentSettings few = settings;
-  few.seeds = std::min(settings.seeds, enough_runs);
   const auto longer = [&](Linearization linearization, const char* name) {
     Setup setup = two_circles();
     setup.duration_s = 400;
     setup.linearization = linearization;
-    return Span(over_seeds(few, std::string("5.3, 400 s, ") + name, setup,
-                           [&](const Run& run) { return traces_of(run, least); }));
+    return Settled(runs_of(few(settings), std::string("5.3, 400 s, ") + name, setup), least);
   };
-  const Span usual(all), ekf = longer(Linearization::analytic, "analytic"),
-                         first = longer(Linearization::first_estimate, "first-estimate");
-  return assessed("5.3-traces-settle", "Figure 5.11, below (5.23)",
-                  "The landmarks' traces reach an asymptotic minimum, the least that the starts leave open: "
-                  "they come within a quarter of it in 80 s and never fall below it",
-                  {.printed = "asymptotic minimum",
-                   .measured = fmt::format("least {:.4f} to {:.4f} m^2 by landmark. After 80 s {}; after 400 "
-                                           "s, {} seeds, {}; with first-estimate Jacobians {}",
-                                           *low, *high, usual.text(), few.seeds, ekf.text(), first.text()),
-                   .why = "so it is within the time of the figure, but the EKF falls below what is "
-                          "observable: its Jacobians at changing estimates add spurious information about "
-                          "the frame. With first-estimate Jacobians the minimum is reached",
-                   .seeds = few.seeds},
-                  usual.highest < 1.25 && usual.stays_above() && ekf.stays_above(),
-                  usual.highest < 1.25 && usual.stays_above() && first.stays_above());
+  const Settled usual(runs, least), ekf = longer(Linearization::analytic, "analytic"),
+                                    first = longer(Linearization::first_estimate, "first-estimate");
+  return assessed(
+      "5.3-traces-settle", "Figure 5.11, below (5.23)",
+      "The landmarks' traces reach an asymptotic minimum, the least that the starts leave open: "
+      "they come within a quarter of it in 80 s and never fall below it",
+      {.printed = "asymptotic minimum",
+       .measured = fmt::format("least {:.4f} to {:.4f} m^2 by landmark. After 80 s {}; after 400 "
+                               "s, {} seeds, {}; with first-estimate Jacobians {}",
+                               *low, *high, usual.text(), few(settings).seeds, ekf.text(), first.text()),
+       .why = "so it is within the time of the figure, but the EKF falls below what is "
+              "observable: its Jacobians at changing estimates add spurious information about "
+              "the frame. With first-estimate Jacobians the minimum is reached",
+       .seeds = few(settings).seeds},
+      usual.highest < 1.25 && usual.stays_above() && ekf.stays_above(),
+      usual.highest < 1.25 && usual.stays_above() && first.stays_above());
 }
 
 }  // namespace
@@ -121,35 +142,17 @@ std::vector<double> least_traces(const Setup& setup) {
   return traces;
 }
 
-Traces traces_of(const Run& run, const std::vector<double>& least) {
-  Traces out;
-  std::vector<double> ratios;
-  for (std::size_t l = 0; l < least.size(); ++l) {
-    for (std::size_t k = 1; k < run.instants.size(); ++k) {
-      const double before = run.instants[k - 1].traces[l], now = run.instants[k].traces[l];
-      if (std::isfinite(before)) out.rise = std::max(out.rise, now / before - 1);
-    }
-    const double last = run.instants.back().traces[l];
-    if (std::isfinite(last)) ratios.push_back(last / least[l]);
-  }
-  out.lowest = quantile(ratios, 0), out.median = quantile(ratios, 0.5), out.highest = quantile(ratios, 1);
-  return out;
-}
-
-std::vector<Claim> map_claims(const ExperimentSettings& settings, const std::vector<Traces>& all) {
-  return {never_rise(all), settle(settings, all)};
+std::vector<Claim> map_claims(const ExperimentSettings& settings, const Runs& runs) {
+  return {never_rise(runs), settle(settings, runs)};
 }
 
 Plot traces_figure(const Run& run) {
-  Panel panel;
-  panel.x_label = "time, s";
-  panel.y_label = "trace of the covariance, m^2";
+  Panel panel{"", "time, s", "trace of the covariance, m^2", {}};
   panel.log_y = true;
   const std::vector<double> least = least_traces(two_circles());
   for (std::size_t l = 0; l < least.size(); ++l) {
-    Curve curve{l == 0 ? "landmarks" : "", Style::thin, {}, {}, {}, Color::blue};
-    for (const Instant& i : run.instants) curve.x.push_back(i.t_s), curve.y.push_back(i.traces[l]);
-    panel.curves.push_back(curve);
+    panel.curves.push_back(curve_of(l == 0 ? "landmarks" : "", Style::thin, Color::blue, run.instants,
+                                    &Instant::t_s, [&](const Instant& i) { return i.traces[l]; }));
   }
   const auto [low, high] = std::ranges::minmax_element(least);
   const double end_s = run.instants.back().t_s;

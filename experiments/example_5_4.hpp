@@ -15,7 +15,7 @@ namespace incognita::swinging_camera {
 
 struct Summary {
   bool lost = false;
-  double rms_error_m = 0, worst_error_m = 0;  ///< of the estimated position
+  double rms_error_m = 0;  ///< of the estimated position
   double estimated_off_m = 0,
          estimated_off_95_m = 0;  ///< from the path: median of ticks and 95 %, once settled
   double truly_off_m = 0, truly_off_95_m = 0, most_off_m = 0;
@@ -26,7 +26,6 @@ struct Summary {
   double last_sigma_angle_rad = 0;
   double at_limit = 0, at_limit_at_first = 0;  ///< share of ticks, once settled and before
   double most_m_s2 = 0, most_rad_s2 = 0;       ///< commanded, once settled
-  double map_off_m = 0, map_sigma_m = 0;       ///< of the points in the belief: medians
   int mapped = 0;
   double scale_off = 0;                  ///< of the true path, by the estimated one's, less 1
   std::vector<double> error_m, sigma_m;  ///< of the position, each second
@@ -37,7 +36,7 @@ std::vector<Summary> runs(const Setup& setup, int seeds);
 
 // Over runs
 
-double mean_of_runs(const std::vector<Summary>& runs, double Summary::*what);
+double mean(const std::vector<Summary>& runs, double Summary::*what);
 double quantile(std::vector<double> values, double share);
 double median(const std::vector<Summary>& runs, double Summary::*what);
 /// Never farther than that from the path once settled.

@@ -1,6 +1,7 @@
 // Example 5.4, (5.28) and (5.29): the path as it is printed, and the law for a camera with known state.
 #include <numbers>
 
+#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_4.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
@@ -23,21 +24,19 @@ const BackAndForthPath path;
 double angle(double t) { return path.amplitude_rad * (std::sin(2 * t) - 2 * t / pi); }
 
 Claim amplitude() {
-  double least = 1e9, most = -1e9;
-  for (double t = 0; t < pi; t += 1e-3) {
-    const double rate = -at(path, t).heading_rate;  // about y of the thesis' axes
-    least = std::min(least, rate), most = std::max(most, rate);
-  }
+  Extremes rate;
+  for (double t = 0; t < pi; t += 1e-3) rate.take(-at(path, t).heading_rate);  // about y of the thesis' axes
   const double w = path.amplitude_rad;
-  const bool ours = std::abs(most - w * (2 - 2 / pi)) < 1e-5 && std::abs(least + w * (2 + 2 / pi)) < 1e-5;
+  const bool ours =
+      std::abs(rate.most - w * (2 - 2 / pi)) < 1e-5 && std::abs(rate.least + w * (2 + 2 / pi)) < 1e-5;
   return assessed(
       "5.4-amplitude", "(5.28), caption of Figure 5.12",
       "The camera turns about the vertical at the constant rate w_y* of (5.28), to 1 %",
       {.printed = "w* = [0, w_y*, 0]', 15 degrees/s",
-       .measured = fmt::format("from {:.1f} to {:.1f} degrees/s, {:.1f} on average over pi s", least / degree,
-                               most / degree, (angle(pi) - angle(0)) / pi / degree),
+       .measured = fmt::format("from {:.1f} to {:.1f} degrees/s, {:.1f} on average over pi s",
+                               rate.least / degree, rate.most / degree, (angle(pi) - angle(0)) / pi / degree),
        .why = "w_y* is the amplitude of an angle: the rate is w_y* (2 cos 2k - 2/pi)"},
-      std::abs(least / w - 1) < 0.01 && std::abs(most / w - 1) < 0.01, ours);
+      std::abs(rate.least / w - 1) < 0.01 && std::abs(rate.most / w - 1) < 0.01, ours);
 }
 
 Claim returns() {
@@ -104,8 +103,7 @@ double farthest_m(const Setup& s, const std::vector<State>& states) {
 }
 
 double farthest_m(Law law) {
-  Setup s;
-  s.law = law;
+  const Setup s{.law = law};
   return farthest_m(s, steered(s, 0, 1));
 }
 
@@ -128,19 +126,16 @@ struct GazeDrift {
   Interval early, late;  ///< rms over runs, degrees, after 10 and after 40 s
 };
 GazeDrift gaze_drift(Law law, int seeds) {
-  Setup s;
-  s.law = law;
-  const auto off = over_seeds(seeds, [&](std::uint64_t seed) {
-    const std::vector<State> states = steered(s, s.sigma_angular_acceleration_rad_s2, seed);
-    const auto at_time = [&](double t) {
-      const State& x = states[std::min(states.size() - 1, static_cast<std::size_t>(t * s.rate_hz))];
+  const Setup s{.law = law};
+  const auto states = over_seeds(
+      seeds, [&](std::uint64_t seed) { return steered(s, s.sigma_angular_acceleration_rad_s2, seed); });
+  const auto rms_after = [&](double t) {
+    return rms_of(each(states, [&](const std::vector<State>& run) {
+      const State& x = run[std::min(run.size() - 1, static_cast<std::size_t>(t * s.rate_hz))];
       return gaze_off_rad(x, at(s.path, t)) / degree;
-    };
-    return std::pair(at_time(10), at_time(40));
-  });
-  std::vector<double> early, late;
-  for (const auto& [a, b] : off) early.push_back(a), late.push_back(b);
-  return {rms_of(early), rms_of(late)};
+    }));
+  };
+  return {rms_after(10), rms_after(40)};
 }
 
 Claim orientation_term(const ExperimentSettings& settings) {
@@ -174,8 +169,7 @@ State pushed(const Setup& s) {
 }
 
 Claim regulates() {
-  Setup s;
-  s.path = PointPath{{-1.5, 0, 0}, 0};
+  const Setup s{.path = PointPath{{-1.5, 0, 0}, 0}};
   const State end = steered_from(pushed(s), s, 0, 1).back();
   const double off = (end.head<3>() - Vector3d(-1.5, 0, 0)).norm(), gaze = gaze_off_rad(end, at(s.path, 0));
   return assessed("5.4-regulates", "below (5.29)",
@@ -189,8 +183,7 @@ Claim asymptotic() {
   std::vector<double> periods, left;
   Cases cases;
   for (const double rate : {20.0, 40.0, 80.0}) {
-    Setup s;
-    s.rate_hz = rate;
+    const Setup s{.rate_hz = rate};
     periods.push_back(1 / rate);
     left.push_back(farthest_m(s, steered_from(pushed(s), s, 0, 1)));
     cases.add({fmt::format("{:.1f} mm at {:.0f} Hz", 1e3 * left.back(), rate), left.back() < 1e-6});

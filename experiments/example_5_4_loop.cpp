@@ -1,16 +1,14 @@
 // Example 5.4: what the closed loop does on the path of (5.28), Figures 5.13 and 5.14.
-#include <numbers>
-
+#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_4.hpp"
 #include "incognita/analysis/evaluation/median.hpp"
+#include "incognita/math/angles.hpp"
 
 namespace incognita::swinging_camera {
 namespace {
 
 using Runs = std::vector<Summary>;
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 double greatest(const Runs& runs, double Summary::*what) { return quantile(each(runs, what), 1); }
 
@@ -42,14 +40,13 @@ Claim tracking_error(const Runs& example) {
            "available to the law, {:.3f} and {:.3f} m; the gaze is off by {:.1f} degrees (95 %)",
            median(example, &Summary::estimated_off_m), text(estimated, "m"),
            median(example, &Summary::truly_off_m), median(example, &Summary::truly_off_95_m),
-           degrees * median(example, &Summary::gaze_off_95_rad)),
+           degrees(median(example, &Summary::gaze_off_95_rad))),
        .seeds = example.size()},
       is_below(estimated, 0.1));
 }
 
 Claim bounded_accelerations(const ExperimentSettings& settings, const Runs& example) {
-  Setup rest;
-  rest.starts_at_rest = true;
+  const Setup rest{.starts_at_rest = true};
   const Runs resting = runs(rest, fewer(settings));
   const Interval limited = bootstrap_mean(each(example, &Summary::at_limit));
   return assessed(
@@ -60,7 +57,7 @@ Claim bounded_accelerations(const ExperimentSettings& settings, const Runs& exam
            "share of the time {}, largest {:.1f} m/s^2 and {:.1f} rad/s^2. From rest on a path that begins "
            "at {:.2f} m/s: {:.1f} % of the first 5 s; {:.0f} % of the runs follow the path ({} runs)",
            text(limited), greatest(example, &Summary::most_m_s2), greatest(example, &Summary::most_rad_s2),
-           at(rest.path, 0).velocity.norm(), 100 * mean_of_runs(resting, &Summary::at_limit_at_first),
+           at(rest.path, 0).velocity.norm(), 100 * mean(resting, &Summary::at_limit_at_first),
            100 * share_near_path(resting), resting.size()),
        .seeds = example.size()},
       is_below(limited, 1e-3));
@@ -68,43 +65,33 @@ Claim bounded_accelerations(const ExperimentSettings& settings, const Runs& exam
 
 // Estimation ------------------------------------------------------------------------------------------
 
-std::array<double, 6> inside(const Runs& runs) {
-  std::array<double, 6> share{};
-  for (const Summary& s : runs)
-    for (std::size_t k = 0; k < 6; ++k) share[k] += s.inside[k] / static_cast<double>(runs.size());
-  return share;
+/// Share of the ticks of each run within 2 sigma on an axis.
+std::vector<double> inside(const Runs& runs, std::size_t axis) {
+  return each(runs, [&](const Summary& s) { return s.inside[axis]; });
 }
 
 Finding bounded(const Runs& runs) {
   Finding all = true;
-  for (std::size_t k = 0; k < 6; ++k) {
-    std::vector<double> share;
-    for (const Summary& s : runs) share.push_back(s.inside[k]);
-    all = all && is_above(bootstrap_mean(share), 0.9);
-  }
+  for (std::size_t axis = 0; axis < 6; ++axis) all = all && is_above(bootstrap_mean(inside(runs, axis)), 0.9);
   return all;
 }
 
 std::string consistency(const Runs& runs) {
-  const auto s = inside(runs);
+  const auto share = [&](std::size_t axis) { return mean_of(inside(runs, axis)).value; };
   return fmt::format(
       "x, y, z {:.2f}, {:.2f}, {:.2f}, rotations {:.2f}, {:.2f}, {:.2f}; NEES {:.2f} ({:.2f} in the median "
       "run), NIS {:.2f}",
-      s[0], s[1], s[2], s[3], s[4], s[5], mean_of_runs(runs, &Summary::pose_nees),
-      median(runs, &Summary::pose_nees), mean_of_runs(runs, &Summary::nis));
+      share(0), share(1), share(2), share(3), share(4), share(5), mean(runs, &Summary::pose_nees),
+      median(runs, &Summary::pose_nees), mean(runs, &Summary::nis));
 }
 
 Runs with_start(double sigma_m, double sigma_rad, int seeds) {
-  Setup s;
-  s.sigma_start_position_m = sigma_m, s.sigma_start_angle_rad = sigma_rad;
-  return runs(s, seeds);
+  return runs({.sigma_start_position_m = sigma_m, .sigma_start_angle_rad = sigma_rad}, seeds);
 }
 
 Claim inside_two_sigma(const ExperimentSettings& settings, const Runs& example, const Runs& anchored) {
   const int seeds = fewer(settings);
-  Setup quiet;
-  quiet.noise_times = 0.01;
-  const Runs true_jacobians = runs(quiet, seeds);
+  const Runs true_jacobians = runs({.noise_times = 0.01}, seeds);
   return assessed(
       "5.4-inside", "Figure 5.14",
       "Estimation errors stay within 2 sigma: for 90 % of the time or more on each axis (95.4 % is right)",
@@ -116,8 +103,8 @@ Claim inside_two_sigma(const ExperimentSettings& settings, const Runs& example, 
                        "the true noises, which leaves Jacobians nearly those at the truth",
                        consistency(example), consistency(with_start(0, 0, seeds)),
                        consistency(with_start(0.05, 0.03, seeds)), seeds, consistency(anchored),
-                       degrees * median(example, &Summary::last_sigma_angle_rad),
-                       degrees * median(true_jacobians, &Summary::last_sigma_angle_rad)),
+                       degrees(median(example, &Summary::last_sigma_angle_rad)),
+                       degrees(median(true_jacobians, &Summary::last_sigma_angle_rad))),
        .why = "with six anchors. Without, measurements are linearized at changing estimates, and the filter "
               "gains information that no measurement holds. NIS does not show it",
        .seeds = std::min(example.size(), anchored.size())},
@@ -125,17 +112,17 @@ Claim inside_two_sigma(const ExperimentSettings& settings, const Runs& example, 
 }
 
 Claim variant_covariance(const Runs& example) {
-  std::vector<double> ratio;
-  for (const Summary& s : example) ratio.push_back(s.most_sigma_m / s.least_sigma_m);
+  const Interval ratio =
+      median_interval(each(example, [](const Summary& s) { return s.most_sigma_m / s.least_sigma_m; }));
   return assessed("5.4-variant", "Figure 5.14",
                   "The covariance is quite variant: within a run and once settled the largest sigma of the "
                   "position is twice the smallest, or more (median run)",
                   {.printed = "quite variant",
-                   .measured = fmt::format(
-                       "{}: from {:.3f} to {:.3f} m", text(median_interval(ratio), "times"),
-                       median(example, &Summary::least_sigma_m), median(example, &Summary::most_sigma_m)),
+                   .measured = fmt::format("{}: from {:.3f} to {:.3f} m", text(ratio, "times"),
+                                           median(example, &Summary::least_sigma_m),
+                                           median(example, &Summary::most_sigma_m)),
                    .seeds = example.size()},
-                  is_above(median_interval(ratio), 2));
+                  is_above(ratio, 2));
 }
 
 // What it needs ---------------------------------------------------------------------------------------
@@ -150,10 +137,8 @@ struct OtherInformation {
   Runs anchored, images_alone, images_and_anchors;
 };
 OtherInformation with_other_information(int seeds) {
-  Setup anchored, images_alone, both;
-  anchored.anchors = both.anchors = 6;
-  images_alone.given_commands = both.given_commands = false;
-  return {runs(anchored, seeds), runs(images_alone, seeds), runs(both, seeds)};
+  return {runs({.anchors = 6}, seeds), runs({.given_commands = false}, seeds),
+          runs({.anchors = 6, .given_commands = false}, seeds)};
 }
 
 Claim without_odometry(const Runs& example, const OtherInformation& k) {
@@ -171,9 +156,7 @@ Claim without_odometry(const Runs& example, const OtherInformation& k) {
 }
 
 Interval typical_scale_off(const Runs& runs) {
-  std::vector<double> off = each(runs, &Summary::scale_off);
-  for (double& x : off) x = 100 * std::abs(x);
-  return median_interval(off);
+  return median_interval(each(runs, [](const Summary& s) { return 100 * std::abs(s.scale_off); }));
 }
 
 Claim scale(const Runs& example, const OtherInformation& k) {
@@ -216,17 +199,13 @@ Setup with_gains_times(double factor) {
 
 /// By which factor the estimate is farther off than in the same rooms: logarithm, by the mean over them.
 Interval change(const Runs& example, const Runs& other) {
-  std::vector<double> logarithms;
-  for (std::size_t i = 0; i < other.size(); ++i)
-    logarithms.push_back(std::log(other[i].rms_error_m / example[i].rms_error_m));
-  return bootstrap_mean(logarithms, assessed_at);
+  return bootstrap_mean(log_ratios(each(other, &Summary::rms_error_m), each(example, &Summary::rms_error_m)),
+                        assessed_at);
 }
 
 Claim separable(const ExperimentSettings& settings, const Runs& example) {
   const int seeds = std::min(3 * fewer(settings), static_cast<int>(example.size()));
-  Setup by_truth;
-  by_truth.steered_by_truth = true;
-  const Interval known = change(example, runs(by_truth, seeds)),
+  const Interval known = change(example, runs({.steered_by_truth = true}, seeds)),
                  soft = change(example, runs(with_gains_times(0.5), seeds)),
                  stiff = change(example, runs(with_gains_times(2), seeds));
   const auto small = [](const Interval& i) {

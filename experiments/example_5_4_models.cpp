@@ -28,6 +28,12 @@ State random_state(RandomStream& random) {
   return x;
 }
 
+Input random_input(RandomStream& random) {
+  Input u;
+  u << drawn(random, 3), drawn(random, 3);
+  return u;
+}
+
 /// Where the accelerations lead when they are held for dt: integrated.
 State moved(const State& x, const Input& u) {
   const SmallVector none = SmallVector::Zero(6), most = SmallVector::Constant(6, 1e9);
@@ -57,10 +63,7 @@ Claim quaternion_step() {
           std::cos(half) * Matrix4d::Identity() + factor / w.norm() * std::sin(half) * product_by(w);
       return P * x.segment<4>(3);
     };
-    const auto off = [&](const Vector4d& q) {
-      return quaternion_log(quaternion_product<double>(quaternion_conjugate(truth), q.normalized().eval()))
-          .norm();
-    };
+    const auto off = [&](const Vector4d& q) { return angle_between_rad(truth, q.normalized()); };
     worst.take(off(turned(2)), off(turned(1)));
     longer = std::max(longer, turned(2).norm() - 1);
   }
@@ -82,15 +85,13 @@ Claim sampled_motion() {
   double old_rate = 0, new_rate = 0;
   for (int i = 0; i < places; ++i) {
     const State x = random_state(random);
-    Input u;
-    u << drawn(random, 3), drawn(random, 3);
+    const Input u = random_input(random);
     const State truth = moved(x, u);
     const Vector3d f = u.head<3>(), step = truth.head<3>() - x.head<3>(), v = x.segment<3>(7);
     worst.take((step - (v + f * dt) * dt).norm(), (step - (v * dt + f * dt * dt / 2)).norm());
     const auto off = [&](const Vector3d& rate) {
       const Vector4d q = quaternion_product<double>(x.segment<4>(3), quaternion_exp<double>(rate * dt));
-      return quaternion_log(quaternion_product<double>(quaternion_conjugate<double>(truth.segment<4>(3)), q))
-          .norm();
+      return angle_between_rad(truth.segment<4>(3), q);
     };
     old_rate = std::max(old_rate, off(x.tail<3>()));
     new_rate = std::max(new_rate, off(x.tail<3>() + u.tail<3>() * dt));
@@ -116,8 +117,7 @@ Claim linear_input() {
   const FreeCameraMotion motion;
   for (int i = 0; i < places; ++i) {
     const State x = random_state(random);
-    Input a, b;
-    a << drawn(random, 3), drawn(random, 3), b << drawn(random, 3), drawn(random, 3);
+    const Input a = random_input(random), b = random_input(random);
     const auto after = [&](const Input& u) { return motion.f<double>(x, u, dt); };
     const Vector3d by_input = (after(a) - after(Input::Zero())).head<3>();
     worst.take((by_input - a.head<3>()).norm(), (by_input - dt * dt * a.head<3>()).norm());

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <utility>
 
+#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_4.hpp"
 #include "incognita/math/angles.hpp"
@@ -48,11 +49,8 @@ double steadily(double t) { return -2 * A * t / pi; }
 double surging(double t) { return -2 * A / pi * (t - 0.475 * std::sin(2 * t)); }
 double in_place(double t) { return A * std::sin(2 * t); }
 
-Runs along(const Path& path, int seeds, double duration_s = Setup{}.duration_s) {
-  Setup s;
-  s.path = path;
-  s.duration_s = duration_s;
-  return runs(s, seeds);
+Runs along(const std::function<double(double)>& angle, int seeds, Facing facing = Facing::inward) {
+  return runs({.path = on_circle(angle, facing)}, seeds);
 }
 
 Runs first(const Runs& all, int count) {
@@ -63,20 +61,13 @@ Interval exponential(const Interval& i) { return {std::exp(i.value), std::exp(i.
 
 /// Factor by which b's is larger than a's in the same rooms: 99.9 % interval about the geometric mean.
 Interval factor(const Runs& a, const Runs& b, double Summary::*what) {
-  std::vector<double> logarithms;
-  for (std::size_t i = 0; i < a.size(); ++i) logarithms.push_back(std::log(b[i].*what / (a[i].*what)));
-  const Interval mean = bootstrap_mean(logarithms, assessed_at);
-  return exponential(mean);
+  return exponential(bootstrap_mean(log_ratios(each(b, what), each(a, what)), assessed_at));
 }
 
 std::string numbers(const Runs& runs) {
   return fmt::format("{:.3f} m rms (largest sigma {:.3f} m, NEES {:.1f}, {:.1f} points mapped)",
                      median(runs, &Summary::rms_error_m), median(runs, &Summary::most_sigma_m),
-                     median(runs, &Summary::pose_nees), [&] {
-                       double mapped = 0;
-                       for (const Summary& s : runs) mapped += s.mapped;
-                       return mapped / static_cast<double>(runs.size());
-                     }());
+                     median(runs, &Summary::pose_nees), mean_of(each(runs, &Summary::mapped)).value);
 }
 
 Claim short_loops(const Compared& c) {
@@ -151,11 +142,11 @@ std::vector<double> larger_by(const std::vector<Course>& a, const std::vector<Co
 
 Claim sideways(int seeds) {
   const auto swinging = [&](const Vector3d& direction) {
-    Setup s;
-    s.duration_s = 10;
-    s.path = sampled([=](double t) {
-      return std::pair(Vector3d(Vector3d(-circle.radius_m, 0, 0) + 0.4 * std::sin(2 * t) * direction), 0.0);
-    });
+    const Vector3d start(-circle.radius_m, 0, 0);
+    const Setup s{.path = sampled([=](double t) {
+                    return std::pair(Vector3d(start + 0.4 * std::sin(2 * t) * direction), 0.0);
+                  }),
+                  .duration_s = 10};
     return over_seeds(seeds, [&](std::uint64_t seed) { return run(s, seed); });
   };
   const auto across = swinging(Vector3d::UnitY()), ahead = swinging(Vector3d::UnitX());
@@ -177,8 +168,8 @@ Claim sideways(int seeds) {
 
 Compared compare_paths(const ExperimentSettings& settings, const Runs& example) {
   const int seeds = fewer(settings);
-  return {first(example, seeds), along(on_circle(steadily), seeds), along(on_circle(surging), seeds),
-          along(on_circle(in_place), seeds), along(on_circle(back_and_forth, Facing::outward), seeds)};
+  return {first(example, seeds), along(steadily, seeds), along(surging, seeds), along(in_place, seeds),
+          along(back_and_forth, seeds, Facing::outward)};
 }
 
 std::vector<Claim> path_claims(const ExperimentSettings& settings, const Compared& compared) {

@@ -32,34 +32,23 @@ SmallVector most_of(const ControlSettings& s) {
   return six(s.max_acceleration_m_s2, s.max_angular_acceleration_rad_s2);
 }
 
-/// (5.29) as it stands there: the velocity less the wanted position, and rates alone for the gaze.
-struct PrintedLaw final : Steering {
-  Path path;
-  ControlSettings gains;
-  bool mended;
-  explicit PrintedLaw(const Setup& s)
-      : path(s.path), gains(s.control), mended(s.law == Law::velocity_mended) {}
+/// (5.29) as it stands there, or changed in part: no law that make_steering() takes.
+struct OtherLaw final : Steering {
+  Setup setup;
+  explicit OtherLaw(const Setup& s) : setup(s) { setup.control.gain_orientation_per_s2 = 0; }
   SmallVector act(const SmallVector& x, double t) const override {
-    const Reference reference = at(path, t);
+    const ControlSettings& gains = setup.control;
+    const Reference r = at(setup.path, t);
+    const Vector3d rate(0, -r.heading_rate, 0), acceleration(0, -r.heading_acceleration, 0);
+    if (setup.law == Law::rate_alone)
+      return track_reference(x, r.position, r.velocity, r.acceleration, level_gaze(r.heading), rate, gains,
+                             acceleration);
+    const Vector3d from = setup.law == Law::velocity_mended ? r.velocity : r.position;
     SmallVector u(6);
-    u.head<3>() =
-        -gains.gain_velocity_per_s * (x.segment<3>(7) - (mended ? reference.velocity : reference.position)) -
-        gains.gain_position_per_s2 * (x.head<3>() - reference.position);
-    u.tail<3>() = Vector3d(0, -reference.heading_acceleration, 0) -
-                  gains.gain_rate_per_s * (x.tail<3>() - Vector3d(0, -reference.heading_rate, 0));
+    u.head<3>() = -gains.gain_velocity_per_s * (x.segment<3>(7) - from) -
+                  gains.gain_position_per_s2 * (x.head<3>() - r.position);
+    u.tail<3>() = acceleration - gains.gain_rate_per_s * (x.tail<3>() - rate);
     return u.cwiseMax(-most_of(gains)).cwiseMin(most_of(gains));
-  }
-};
-
-/// Corrected, but with nothing of the orientation: no law that make_steering() takes.
-struct RateAlone final : Steering {
-  Path path;
-  ControlSettings gains;
-  explicit RateAlone(const Setup& s) : path(s.path), gains(s.control) { gains.gain_orientation_per_s2 = 0; }
-  SmallVector act(const SmallVector& x, double t) const override {
-    const Reference r = at(path, t);
-    return track_reference(x, r.position, r.velocity, r.acceleration, level_gaze(r.heading),
-                           {0, -r.heading_rate, 0}, gains, {0, -r.heading_acceleration, 0});
   }
 };
 
@@ -137,8 +126,7 @@ std::vector<MappedPoint> map_of(const Estimate& e, const PointLandmarks& place) 
 }  // namespace
 
 std::unique_ptr<Steering> law_of(const Setup& s) {
-  if (s.law == Law::as_printed || s.law == Law::velocity_mended) return std::make_unique<PrintedLaw>(s);
-  if (s.law == Law::rate_alone) return std::make_unique<RateAlone>(s);
+  if (s.law != Law::corrected) return std::make_unique<OtherLaw>(s);
   SteeringSettings steering;
   steering.law = ControlLaw::feedback_linearization;
   steering.path = s.path;
@@ -164,10 +152,12 @@ Camera lens() {
   return davison;
 }
 
+double angle_between_rad(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
+  return quaternion_log(quaternion_product<double>(quaternion_conjugate(a), b)).norm();
+}
+
 double gaze_off_rad(const State& camera, const Reference& reference) {
-  const Eigen::Vector4d measurements = free_camera::orientation(camera),
-                        should = level_gaze(reference.heading);
-  return quaternion_log(quaternion_product<double>(quaternion_conjugate(should), measurements)).norm();
+  return angle_between_rad(level_gaze(reference.heading), free_camera::orientation(camera));
 }
 
 Course run(const Setup& s, std::uint64_t seed) {

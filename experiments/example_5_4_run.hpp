@@ -18,8 +18,7 @@
 
 namespace incognita::swinging_camera {
 
-/// (5.28): all around in 12 pi s, 37.7 s, back where it started.
-inline constexpr double round_s = 37.7, settled_s = 5;
+inline constexpr double settled_s = 5;
 
 enum class Law {
   corrected,        ///< control/track_reference.hpp
@@ -75,13 +74,15 @@ struct Instant {
   double nis = 0;        ///< of this tick's measurements, over their number; 0 without any
   bool lost = false;
 
-  double estimated_off_m() const {
-    return (mean.head<3>() - reference.position).norm();
-  }  ///< Figure 5.13 (c)
+  /// Figure 5.13 (c)
+  double estimated_off_m() const { return (mean.head<3>() - reference.position).norm(); }
   double truly_off_m() const { return (truth.head<3>() - reference.position).norm(); }
   double position_error_m() const { return error.head<3>().norm(); }
   double sigma_position_m() const { return sigma.head<3>().norm(); }
 };
+
+/// Angle between two orientations.
+double angle_between_rad(const Eigen::Vector4d& a, const Eigen::Vector4d& b);
 
 /// Angle between the orientation of a camera and its reference.
 double gaze_off_rad(const FreeCameraMotion::State<double>& camera, const Reference& reference);

@@ -70,11 +70,9 @@ std::vector<Runs> runs_of_all(const std::string& scenario, const std::vector<Str
 
 bool diverged(const Run& run) { return run.lost || !(run.position_rms_m <= 0.5); }
 
-std::vector<double> less(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> difference;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::isfinite(a[i] - b[i])) difference.push_back(a[i] - b[i]);
-  return difference;
+ExperimentSettings half_of(ExperimentSettings settings) {
+  settings.seeds = (settings.seeds + 1) / 2;
+  return settings;
 }
 
 double median_of_known(std::vector<double> numbers) { return median_known(std::move(numbers)).value; }
@@ -113,10 +111,8 @@ double share_across(const Run& run) {
 Claim backs_away(const std::string& id, const std::string& place, const std::string& printed,
                  const std::string& start, const Runs& runs, const std::string& why,
                  const std::string& variant) {
-  const std::vector<double> shares = each(runs, share_backwards);
-  std::vector<double> beyond_half;
-  for (const double share : shares)
-    if (std::isfinite(share)) beyond_half.push_back(share - 0.5);
+  const std::vector<double> beyond_half =
+      less(each(runs, share_backwards), std::vector<double>(runs.size(), 0.5));
   const Interval more = bootstrap_mean(beyond_half, assessed_at);
   int slower = 0, faster = 0;
   for (const Run& run : runs)
@@ -137,34 +133,25 @@ Claim backs_away(const std::string& id, const std::string& place, const std::str
                   is_above(more, 0));
 }
 
-namespace {
-
-/// The end of what was measured: how many runs of either diverged, and their position errors.
-std::string price(const Runs& ours, const Runs& theirs) {
-  return fmt::format("diverged {} and {}, position error {} and {} m (median)", diverged_of(ours),
-                     diverged_of(theirs), decimals(typically_off_m(ours), 3),
-                     decimals(typically_off_m(theirs), 3));
-}
-
-}  // namespace
-
 Claim beats(const std::string& id, const std::string& place, const std::string& statement,
             const std::string& what, const Runs& ours, const Runs& theirs, const std::string& why) {
-  const std::vector<double> all = less(each(ours, final_entropy), each(theirs, final_entropy)),
-                            found = less(each(ours, entropy_if_not_diverged),
-                                         each(theirs, entropy_if_not_diverged));
-  const Interval gap = bootstrap_mean(all, assessed_at), gap_if_found = bootstrap_mean(found, assessed_at);
+  const std::vector<double> all = less(each(ours, final_entropy), each(theirs, final_entropy));
+  const std::size_t found =
+      less(each(ours, entropy_if_not_diverged), each(theirs, entropy_if_not_diverged)).size();
+  const Interval gap = more_than(theirs, ours, final_entropy),
+                 gap_if_found = more_than(theirs, ours, entropy_if_not_diverged);
   const auto better = std::ranges::count_if(all, [](double d) { return d < 0; });
   const std::size_t left_out = ours.size() - all.size();
   std::string measured = fmt::format(
       "entropy less that of {}: {} nats (99.9 %), lower in {} of {} rooms{}", what, text(gap), better,
       all.size(), left_out > 0 ? fmt::format(", {} with nothing to compare", left_out) : "");
-  if (found.size() < all.size())
-    measured +=
-        fmt::format("; in the {} in which neither diverged {} nats", found.size(), text(gap_if_found));
+  if (found < all.size())
+    measured += fmt::format("; in the {} in which neither diverged {} nats", found, text(gap_if_found));
+  measured += fmt::format("; diverged {} and {}, position error {} and {} m (median)", diverged_of(ours),
+                          diverged_of(theirs), decimals(typically_off_m(ours), 3),
+                          decimals(typically_off_m(theirs), 3));
   const Finding in_all = is_below(gap, 0), in_found = is_below(gap_if_found, 0);
-  Claim claim = assessed(id, place, statement,
-                         {.measured = measured + "; " + price(ours, theirs), .why = why, .seeds = all.size()},
+  Claim claim = assessed(id, place, statement, {.measured = measured, .why = why, .seeds = all.size()},
                          in_all && in_found);
   if (claim.verdict == Verdict::undecided && claim.runs >= claim.least_runs && in_all == Finding::shown)
     claim.why = "shown for all rooms; among those in which neither diverged the interval holds both answers";

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/curves.hpp"
+#include "experiments/evidence.hpp"
 #include "experiments/exploring_run.hpp"
 #include "experiments/seeds.hpp"
 #include "incognita/report/experiment.hpp"
@@ -35,8 +37,15 @@ Runs runs_of(const std::string& scenario, const Strategy& strategy, const Experi
 std::vector<Runs> runs_of_all(const std::string& scenario, const std::vector<Strategy>& strategies,
                               const ExperimentSettings& settings, std::uint64_t first = 1);
 
-/// Of pairs by seed a - b, where both are numbers.
-std::vector<double> less(const std::vector<double>& a, const std::vector<double>& b);
+/// What of(run) of `ours` is more than that of `theirs`, by seed, where both are numbers: mean with its 99.9 %
+/// interval.
+template <class Of>
+Interval more_than(const Runs& theirs, const Runs& ours, const Of& of) {
+  return bootstrap_mean(less(each(ours, of), each(theirs, of)), assessed_at);
+}
+
+/// Settings with half the seeds.
+ExperimentSettings half_of(ExperimentSettings settings);
 
 /// Of those that are numbers; none: not a number.
 double median_of_known(std::vector<double> numbers);
@@ -80,10 +89,10 @@ Curve over_time(const std::string& label, const Run& run, Color color, const F& 
 }
 
 /// Paths, final maps and entropies of the first seed; a column for each strategy: Figures 6.4 and 6.9.
-Plot map_figure(const std::string& id, const std::string& title, const std::vector<std::string>& names,
-                const std::vector<Runs>& of_strategies);
+Plot map_figure(const std::string& id, const std::string& title, const std::vector<Strategy>& strategies,
+                const std::vector<Runs>& runs);
 /// Errors of position and orientation with their bounds, likewise: Figures 6.5 and 6.10.
-Plot error_figure(const std::string& id, const std::string& title, const std::vector<std::string>& names,
-                  const std::vector<Runs>& of_strategies);
+Plot error_figure(const std::string& id, const std::string& title, const std::vector<Strategy>& strategies,
+                  const std::vector<Runs>& runs);
 
 }  // namespace incognita::exploring

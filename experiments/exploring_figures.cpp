@@ -1,6 +1,8 @@
 // Panels of Figures 6.4, 6.5, 6.7, 6.9, 6.10 and 6.13.
+#include <algorithm>
 #include <cmath>
 
+#include "experiments/chapter_5_curves.hpp"
 #include "experiments/exploring_comparison.hpp"
 #include "incognita/analysis/evaluation/pose_consistency.hpp"
 
@@ -9,38 +11,31 @@ namespace {
 
 /// One axis of an error, between its bounds.
 Panel error_panel(const std::string& title, const std::string& unit, const Run& run, int axis) {
-  Panel p{title, "t, s", unit, {}};
-  Curve band{"2 sigma", Style::band, {}, {}, {}, Color::sky};
-  Curve error{"error", Style::line, {}, {}, {}, Color::blue};
-  for (const Instant& i : run.instants) {
-    const double bound = 2 * std::sqrt(std::max(0.0, i.covariance(axis, axis)));
-    band.x.push_back(i.t_s), band.y.push_back(-bound), band.y2.push_back(bound);
-    error.x.push_back(i.t_s), error.y.push_back(pose_error(i.truth, i.estimate)[axis]);
-  }
-  p.curves = {band, error};
-  return p;
+  const auto lower = [&](const Instant& i) {
+    return -2 * std::sqrt(std::max(0.0, i.covariance(axis, axis)));
+  };
+  const auto error = [&](const Instant& i) { return pose_error(i.truth, i.estimate)[axis]; };
+  return {title,
+          "t, s",
+          unit,
+          {band_of("2 sigma", Color::sky, run.instants, &Instant::t_s, lower),
+           over_time("error", run, Color::blue, error)}};
 }
 
 }  // namespace
 
 Panel from_above(const std::string& title, const Run& run) {
   Panel p{title, "x, m", "y, m", {}, true};
-  const auto truth = path_of("camera", Style::line, Color::blue, run.instants,
-                             [](const Instant&i) { return i.truth.position; }),
-             estimated = path_of("estimated", Style::dashed, Color::orange, run.instants,
-                                 [](const Instant&i) { return i.estimate.position; });
-  Curve anchors{"anchors", Style::stars, {}, {}, {}, Color::ink};
-  std::vector<Eigen::Vector2d> means;
-  std::vector<Eigen::Matrix2d> covariances;
-  for (const SnapshotLandmark& l : run.map) {
-    if (l.anchor) {
-      anchors.x.push_back(l.position.x()), anchors.y.push_back(l.position.y());
-      continue;
-    }
-    means.emplace_back(l.position.head<2>());
-    covariances.emplace_back(l.covariance.topLeftCorner<2, 2>());
-  }
-  p.curves = {ellipses("landmarks, 2 sigma", means, covariances), anchors, truth, estimated};
+  std::vector<SnapshotLandmark> anchors, mapped;
+  std::ranges::partition_copy(run.map, std::back_inserter(anchors), std::back_inserter(mapped),
+                              &SnapshotLandmark::anchor);
+  p.curves = {outlines_of("landmarks, 2 sigma", Color::automatic, mapped, &SnapshotLandmark::position,
+                          &SnapshotLandmark::covariance),
+              path_of("anchors", Style::stars, Color::ink, anchors, &SnapshotLandmark::position),
+              path_of("camera", Style::line, Color::blue, run.instants,
+                      [](const Instant& i) { return i.truth.position; }),
+              path_of("estimated", Style::dashed, Color::orange, run.instants,
+                      [](const Instant& i) { return i.estimate.position; })};
   p.x_range = p.y_range = {-3.2, 3.2};
   return p;
 }
@@ -66,23 +61,23 @@ Panel entropies(const std::string& title, const Run& run) {
   return p;
 }
 
-Plot map_figure(const std::string& id, const std::string& title, const std::vector<std::string>& names,
-                const std::vector<Runs>& of_strategies) {
-  Plot plot{id, title, static_cast<int>(names.size()), {}};
-  for (std::size_t s = 0; s < of_strategies.size(); ++s)
-    plot.panels.push_back(from_above(names[s], of_strategies[s].front()));
-  for (const Runs& runs : of_strategies) plot.panels.push_back(entropies("", runs.front()));
+Plot map_figure(const std::string& id, const std::string& title, const std::vector<Strategy>& strategies,
+                const std::vector<Runs>& runs) {
+  Plot plot{id, title, static_cast<int>(strategies.size()), {}};
+  for (std::size_t s = 0; s < runs.size(); ++s)
+    plot.panels.push_back(from_above(strategies[s].name, runs[s].front()));
+  for (const Runs& of_strategy : runs) plot.panels.push_back(entropies("", of_strategy.front()));
   return plot;
 }
 
-Plot error_figure(const std::string& id, const std::string& title, const std::vector<std::string>& names,
-                  const std::vector<Runs>& of_strategies) {
-  Plot plot{id, title, static_cast<int>(names.size()), {}};
+Plot error_figure(const std::string& id, const std::string& title, const std::vector<Strategy>& strategies,
+                  const std::vector<Runs>& runs) {
+  Plot plot{id, title, static_cast<int>(strategies.size()), {}};
   const char* axes[] = {"x, m", "y, m", "z, m", "about x, rad", "about y, rad", "about z, rad"};
   for (int axis = 0; axis < 6; ++axis)
-    for (std::size_t s = 0; s < of_strategies.size(); ++s)
+    for (std::size_t s = 0; s < runs.size(); ++s)
       plot.panels.push_back(
-          error_panel(axis == 0 ? names[s] : "", axes[axis], of_strategies[s].front(), axis));
+          error_panel(axis == 0 ? strategies[s].name : "", axes[axis], runs[s].front(), axis));
   return plot;
 }
 

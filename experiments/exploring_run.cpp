@@ -82,6 +82,15 @@ Run gather(Assembly assembly) {
   return gathered.finish();
 }
 
+/// A number of the first element from `t_s` on at which it is known.
+template <class Element, class Of>
+std::optional<double> first_known(const std::vector<Element>& elements, std::optional<double> t_s,
+                                  const Of& of) {
+  for (const Element& e : elements)
+    if (t_s && e.t_s >= *t_s && std::isfinite(of(e))) return of(e);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<double> Run::located_at_s(int count) const {
@@ -90,19 +99,11 @@ std::optional<double> Run::located_at_s(int count) const {
 }
 
 std::optional<double> Run::entropy_when_located(int count) const {
-  const auto t = located_at_s(count);
-  if (!t) return std::nullopt;
-  const auto at = std::ranges::find_if(
-      instants, [&](const Instant& i) { return i.t_s >= *t && std::isfinite(i.entropy.total); });
-  return at == instants.end() ? std::nullopt : std::optional(at->entropy.total);
+  return first_known(instants, located_at_s(count), [](const Instant& i) { return i.entropy.total; });
 }
 
 std::optional<double> Run::extended_when_located(int count) const {
-  const auto t = located_at_s(count);
-  if (!t) return std::nullopt;
-  const auto at = std::ranges::find_if(
-      decisions, [&](const Decision& d) { return d.t_s >= *t && std::isfinite(d.entropy_extended); });
-  return at == decisions.end() ? std::nullopt : std::optional(at->entropy_extended);
+  return first_known(decisions, located_at_s(count), [](const Decision& d) { return d.entropy_extended; });
 }
 
 Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed) {

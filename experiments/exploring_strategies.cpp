@@ -25,10 +25,11 @@ Claim lower_at_the_14th(const Common& common, const std::vector<Runs>& runs) {
     medians += fmt::format("{} {} nats at {} s{}", by_gaze()[s].name,
                            decimals(median_of_known(each(runs[s], at_the_14th)), 0),
                            decimals(median_of_known(each(runs[s], time_of_the_14th)), 1), s < 2 ? "; " : "");
-  const auto fisher = each(runs[2], at_the_14th);
-  const std::vector<double> less_i = less(fisher, each(runs[0], at_the_14th)),
-                            less_ii = less(fisher, each(runs[1], at_the_14th));
-  const Interval to_i = bootstrap_mean(less_i, assessed_at), to_ii = bootstrap_mean(less_ii, assessed_at);
+  const Interval to_i = more_than(runs[0], runs[2], at_the_14th),
+                 to_ii = more_than(runs[1], runs[2], at_the_14th);
+  const auto pairs = [&](const Runs& other) {
+    return less(each(runs[2], at_the_14th), each(other, at_the_14th)).size();
+  };
   return assessed(common.id + "-14th-entropy", common.place + ", Figure 6.4",
                   "With the same number of landmarks gaze by (6.8) has the lower entropy: at the 14th "
                   "landmark below those of a constant rate and of mutual information" +
@@ -37,14 +38,13 @@ Claim lower_at_the_14th(const Common& common, const std::vector<Runs>& runs) {
                    .measured = fmt::format("medians: {}. (iii) less (i): {} nats, less (ii): {} (99.9 %)",
                                            medians, text(to_i), text(to_ii)),
                    .why = common.why,
-                   .seeds = std::min(less_i.size(), less_ii.size())},
+                   .seeds = std::min(pairs(runs[0]), pairs(runs[1]))},
                   is_below(to_i, 0) && is_below(to_ii, 0));
 }
 
 Claim fewer_landmarks(const Common& common, const std::vector<Runs>& runs) {
-  const auto fisher = each(runs[2], located);
-  const Interval fewer_i = bootstrap_mean(less(fisher, each(runs[0], located)), assessed_at),
-                 fewer_ii = bootstrap_mean(less(fisher, each(runs[1], located)), assessed_at);
+  const Interval fewer_i = more_than(runs[0], runs[2], located),
+                 fewer_ii = more_than(runs[1], runs[2], located);
   return assessed(
       common.id + "-fewer-landmarks", common.place,
       "A constant rate and mutual information initialize landmarks faster than (6.8), which measures those "
@@ -55,6 +55,22 @@ Claim fewer_landmarks(const Common& common, const std::vector<Runs>& runs) {
        .why = "fewer than with a constant rate, but not than with mutual information",
        .seeds = runs[0].size()},
       is_below(fewer_i, 0) && is_below(fewer_ii, 0), is_below(fewer_i, 0));
+}
+
+/// What `active` is compared with.
+struct Rival {
+  std::string id, what, name;
+  const Runs& runs;
+};
+
+std::vector<Claim> beats_each(const Common& common, const std::string& active_is, const Runs& active,
+                              const std::vector<Rival>& rivals) {
+  std::vector<Claim> claims;
+  for (const Rival& rival : rivals)
+    claims.push_back(beats(common.id + rival.id, common.place,
+                           active_is + " leaves less entropy than " + rival.what + common.variant, rival.name,
+                           active, rival.runs, common.why));
+  return claims;
 }
 
 }  // namespace
@@ -84,28 +100,20 @@ const std::vector<Strategy>& driving() {
 
 std::vector<Claim> against_baselines(const Common& common, const std::string& what, const Runs& active,
                                      const std::vector<Runs>& runs) {
-  const std::string leaves = what + " leaves less entropy than ";
-  return {
-      beats(common.id + "-random", common.place,
-            leaves + "moving at random, the gaze turning alike" + common.variant, "moving at random", active,
-            runs[0], common.why),
-      beats(common.id + "-fixed", common.place,
-            leaves + "a fixed path, three moves each ahead, left, back and right by a heading that turns" +
-                common.variant,
-            "the fixed path", active, runs[1], common.why),
-      beats(common.id + "-standing", common.place, leaves + "standing with a turning gaze" + common.variant,
-            "standing", active, runs[2], common.why)};
+  return beats_each(
+      common, what, active,
+      {{"-random", "moving at random, the gaze turning alike", "moving at random", runs[0]},
+       {"-fixed", "a fixed path, three moves each ahead, left, back and right by a heading that turns",
+        "the fixed path", runs[1]},
+       {"-standing", "standing with a turning gaze", "standing", runs[2]}});
 }
 
 std::vector<Claim> driving_claims(const Common& common, const Runs& active, const std::vector<Runs>& runs) {
-  const std::string leaves = "Driving by mutual information leaves less entropy than ";
-  return {beats(common.id + "-random", common.place,
-                leaves + "driving at random, by the accelerations of Table 6.1" + common.variant,
-                "driving at random", active, runs[1], common.why),
-          beats(common.id + "-fixed", common.place, leaves + "driving to and fro" + common.variant,
-                "driving to and fro", active, runs[2], common.why),
-          beats(common.id + "-standing", common.place, leaves + "standing" + common.variant, "standing",
-                active, runs[3], common.why)};
+  return beats_each(
+      common, "Driving by mutual information", active,
+      {{"-random", "driving at random, by the accelerations of Table 6.1", "driving at random", runs[1]},
+       {"-fixed", "driving to and fro", "driving to and fro", runs[2]},
+       {"-standing", "standing", "standing", runs[3]}});
 }
 
 std::vector<Claim> gaze_claims(const Common& common, const std::vector<Runs>& runs) {
@@ -113,9 +121,8 @@ std::vector<Claim> gaze_claims(const Common& common, const std::vector<Runs>& ru
 }
 
 Claim moves_across(const Common& common, const Runs& runs, const std::string& whose) {
-  const std::vector<double> shares = each(runs, share_across);
   const Interval more =
-      bootstrap_mean(less(shares, std::vector<double>(shares.size(), 2.0 / 3)), assessed_at);
+      bootstrap_mean(less(each(runs, share_across), std::vector<double>(runs.size(), 2.0 / 3)), assessed_at);
   return assessed(
       common.id + "-across", common.place,
       "The most informative moves are across the line of sight: up, down, left and right more often than "
@@ -131,12 +138,6 @@ Claim moves_across(const Common& common, const Runs& runs, const std::string& wh
 std::vector<Claim> with_numbers(std::vector<Claim> claims, const std::string& numbers) {
   claims.front().measured += ". " + numbers;
   return claims;
-}
-
-std::vector<std::string> names_of(const std::vector<Strategy>& strategies) {
-  std::vector<std::string> names;
-  for (const Strategy& strategy : strategies) names.push_back(strategy.name);
-  return names;
 }
 
 std::string in_numbers(const std::vector<Strategy>& strategies, const std::vector<Runs>& runs) {

@@ -45,8 +45,6 @@ Claim moves_across(const Common& common, const Runs& runs, const std::string& wh
 /// The claims, with those numbers after what the first has measured.
 std::vector<Claim> with_numbers(std::vector<Claim> claims, const std::string& numbers);
 
-std::vector<std::string> names_of(const std::vector<Strategy>& strategies);
-
 /// Numbers of several strategies, one after the other.
 std::string in_numbers(const std::vector<Strategy>& strategies, const std::vector<Runs>& runs);
 

@@ -6,15 +6,12 @@
 // from its survey; NEES of the poses, NIS. A robot alone is given the best of four: plain and iterated,
 // evaluated at the team's times and at its own. Holds: joint better than that for each of the five, with the
 // noises as fixed, halved and doubled.
-#include <numbers>
-
-#include "experiments/common.hpp"
 #include "experiments/mrclam.hpp"
+#include "experiments/chapter_5_numbers.hpp"
+#include "experiments/common.hpp"
 
 namespace incognita::recorded_team {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 std::string list(const std::vector<double>& values, const char* unit = " m", int digits = 2) {
   std::string text;
@@ -22,11 +19,8 @@ std::string list(const std::vector<double>& values, const char* unit = " m", int
   return text + unit;
 }
 
-/// The least of b/a.
-double least_ratio(const std::vector<double>& a, const std::vector<double>& b) {
-  double least = b[0] / a[0];
-  for (std::size_t i = 1; i < a.size(); ++i) least = std::min(least, b[i] / a[i]);
-  return least;
+bool smaller(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::max(log_ratios(a, b)) < 0;
 }
 
 std::string four_ways(const Alone& alone, Number what) {
@@ -52,7 +46,7 @@ Claim joint_beats_alone(const Drives& d) {
                                list(fitted), four_ways(d.alone, &RobotCourse::fitted_rms_m),
                                list(of_robots(d.joint, &RobotCourse::rms_heading_rad), " rad"),
                                list(of_robots(d.alone.plain, &RobotCourse::rms_heading_rad), " rad"))},
-      least_ratio(joint, alone) > 1 && least_ratio(fitted, alone_fitted) > 1);
+      smaller(joint, alone) && smaller(fitted, alone_fitted));
 }
 
 Claim seeing_each_other(const Drives& d) {
@@ -67,7 +61,7 @@ Claim seeing_each_other(const Drives& d) {
            "with {}; without, the map shared, {}; alone {}. {} measurements, {} of them of robots",
            list(joint), list(shared), list(alone), d.joint.measurements,
            d.joint.measurements - d.shared_map.measurements)},
-      least_ratio(joint, shared) > 1);
+      smaller(joint, shared));
 }
 
 Claim landmarks(const Robots& robots, const Drives& d) {
@@ -76,7 +70,7 @@ Claim landmarks(const Robots& robots, const Drives& d) {
   const auto better_than = [](double joint, const std::vector<double>& all) {
     return joint < *std::ranges::min_element(all);
   };
-  const auto off = landmark_errors(d.joint);
+  const auto off = each(d.joint.landmarks, &MappedLandmark::fitted_off_m);
   const bool all_there = d.joint.landmarks.size() == robots.front().landmarks.size();
   return assessed("mrclam-landmarks", "Section 5.2.1",
                   "The joint map has every landmark and is better than that of any robot alone, nothing "
@@ -84,7 +78,7 @@ Claim landmarks(const Robots& robots, const Drives& d) {
                   {.measured = fmt::format(
                        "nothing fitted: joint {:.3f} m; alone {}. After the fit, a turn by {:.1f} degrees: "
                        "joint {:.3f} m; alone {}. Landmarks {} to {} after the fit: {}",
-                       d.joint.map_rms_m, list(alone, " m", 3), degrees * d.joint.fit.turn_rad,
+                       d.joint.map_rms_m, list(alone, " m", 3), degrees(d.joint.fit.turn_rad),
                        d.joint.fitted_map_rms_m, list(alone_fitted, " m", 3),
                        d.joint.landmarks.front().identity, d.joint.landmarks.back().identity, list(off)),
                    .why = "nothing fitted. After the fit a robot that measures them often has their "
@@ -97,7 +91,7 @@ Claim landmarks(const Robots& robots, const Drives& d) {
 /// The largest factor, either way, between two lists.
 double largest_factor(const std::vector<double>& a, const std::vector<double>& b) {
   double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(std::log(b[i] / a[i])));
+  for (const double logarithm : log_ratios(b, a)) most = std::max(most, std::abs(logarithm));
   return std::exp(most);
 }
 
@@ -106,11 +100,9 @@ Claim linearized_once(const Drives& d) {
              alone_iterated = of_robots(d.alone.iterated, &RobotCourse::rms_m);
   const double joint = largest_factor(of_robots(d.joint, &RobotCourse::rms_m),
                                       of_robots(d.joint_iterated, &RobotCourse::rms_m));
-  std::vector<double> blind, heading;
-  for (const Drive& drive : d.alone.plain) {
-    blind.push_back(drive.longest_blind_s);
-    heading.push_back(degrees * drive.robots.front().most_sigma_heading_rad);
-  }
+  const auto blind = each(d.alone.plain, &Drive::longest_blind_s);
+  const auto heading =
+      each(d.alone.plain, [](const Drive& drive) { return degrees(drive.robots[0].most_sigma_heading_rad); });
   return assessed(
       "mrclam-linearised", "(5.18), (5.19)",
       "First-order linearization is enough: iterating the update changes no robot's rms error by more than a "
@@ -128,9 +120,7 @@ Claim linearized_once(const Drives& d) {
 }
 
 Claim consistent(const Robots& robots, const Drives& d) {
-  Setup doubled;
-  doubled.input_sigmas_times = 2;
-  const Drive wide = together(robots, doubled);
+  const Drive wide = together(robots, {.input_sigmas_times = 2});
   const auto nees = of_robots(d.joint, &RobotCourse::nees);
   return assessed(
       "mrclam-consistent", "(5.18), (5.19)",
@@ -147,22 +137,16 @@ Claim consistent(const Robots& robots, const Drives& d) {
       std::ranges::all_of(nees, [](double x) { return x > 0.5 && x < 2; }));
 }
 
-/// One change of the noises and what becomes of the table.
-struct Variant {
-  const char* name;
-  double input, sensor;
-};
-
 Claim sensitivity(const Robots& robots) {
   Cases cases;
-  for (const Variant& v : {Variant{"half the odometry's noise", 0.5, 1}, Variant{"twice", 2, 1},
-                           Variant{"half the sensor's", 1, 0.5}, Variant{"twice", 1, 2}}) {
-    Setup setup;
-    setup.input_sigmas_times = v.input, setup.sensor_sigmas_times = v.sensor;
+  using Variant = std::pair<const char*, Setup>;
+  for (const auto& [name, setup] : {Variant("half the odometry's noise", {.input_sigmas_times = 0.5}),
+                                    Variant("twice", {.input_sigmas_times = 2}),
+                                    Variant("half the sensor's", {.sensor_sigmas_times = 0.5}),
+                                    Variant("twice", {.sensor_sigmas_times = 2})}) {
     const auto joint = of_robots(together(robots, setup), &RobotCourse::rms_m),
                alone = best_robots(drive_alone(robots, setup), &RobotCourse::rms_m);
-    cases.add({fmt::format("{}: joint {}, alone {}", v.name, list(joint), list(alone)),
-               least_ratio(joint, alone) > 1});
+    cases.add({fmt::format("{}: joint {}, alone {}", name, list(joint), list(alone)), smaller(joint, alone)});
   }
   return assessed("mrclam-noises", "Section 5.2.1",
                   "The result does not depend on the noises that the filter is given: with those of the "

@@ -31,9 +31,6 @@ std::vector<double> of_robots(const std::vector<Drive>& alone, Number what);
 /// For each robot, and for its map, the least over the four.
 std::vector<double> best_robots(const Alone& alone, Number what);
 std::vector<double> best_maps(const Alone& alone, double Drive::*what);
-/// After the rigid fit, m.
-std::vector<double> landmark_errors(const Drive& drive);
-
 std::vector<Plot> figures(const Drives& drives);
 
 }  // namespace incognita::recorded_team

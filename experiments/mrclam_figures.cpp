@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
-#include <utility>
+
+#include "experiments/chapter_5_curves.hpp"
+#include "experiments/seeds.hpp"
 
 namespace incognita::recorded_team {
 namespace {
@@ -24,26 +25,19 @@ std::vector<double> best(const Alone& alone, const Get& of_drive) {
   return least;
 }
 
+/// By number of the robot.
 Curve points(const std::string& label, Style style, Color color, const std::vector<double>& y) {
-  Curve curve{label, style, {}, y, {}, color};
-  for (std::size_t i = 0; i < y.size(); ++i) curve.x.push_back(static_cast<double>(i + 1));
+  Curve curve = over_steps(label, y, style, 1);
+  curve.color = color;
   return curve;
 }
 
-/// Interval of drawn points, s: 16 points a second would not be distinguishable.
-constexpr double drawn_every_s = 2;
-
-Curve thinned(const std::string& label, const RobotCourse& robot, Color color,
-              const std::function<std::pair<double, double>(std::size_t)>& at) {
-  Curve curve{label, Style::thin, {}, {}, {}, color};
-  double next = 0;
-  for (std::size_t k = 0; k < robot.t_s.size(); ++k) {
-    if (robot.t_s[k] < next) continue;
-    next = robot.t_s[k] + drawn_every_s;
-    const auto [x, y] = at(k);
-    curve.x.push_back(x), curve.y.push_back(y);
-  }
-  return curve;
+/// Ticks that are drawn, 2 s apart: 16 points a second would not be distinguishable.
+std::vector<std::size_t> drawn(const RobotCourse& robot) {
+  std::vector<std::size_t> ticks;
+  for (std::size_t k = 0; k < robot.t_s.size(); ++k)
+    if (ticks.empty() || robot.t_s[k] >= robot.t_s[ticks.back()] + 2) ticks.push_back(k);
+  return ticks;
 }
 
 Plot table(const Drives& d) {
@@ -68,10 +62,8 @@ Plot table(const Drives& d) {
 Plot landmark_table(const Drives& d) {
   Panel p{"", "landmark", "distance from the survey, m", {}};
   const auto curve = [&](const std::string& label, const Drive& drive, Style style, Color color) {
-    Curve c = points(label, style, color, landmark_errors(drive));
-    for (std::size_t i = 0; i < drive.landmarks.size(); ++i)
-      c.x[i] = static_cast<double>(drive.landmarks[i].identity);
-    return c;
+    return curve_of(label, style, color, drive.landmarks, &MappedLandmark::identity,
+                    &MappedLandmark::fitted_off_m);
   };
   const Color colors[] = {Color::orange, Color::green, Color::pink, Color::amber, Color::sky};
   for (std::size_t i = 0; i < d.alone.plain.size(); ++i)
@@ -86,27 +78,18 @@ Plot landmark_table(const Drives& d) {
 Panel map_of(const char* title, const Drive& drive) {
   Panel panel{title, "x, m", "y, m", {}, true};
   panel.x_range = {-2.5, 8.5}, panel.y_range = {-5.5, 5.5};
-  std::vector<Eigen::Vector2d> estimated;
-  std::vector<Eigen::Matrix2d> covariances;
-  Curve mapped{"landmarks", Style::crosses, {}, {}, {}, Color::blue},
-      surveyed{"surveyed", Style::circles, {}, {}, {}, Color::ink};
-  for (const MappedLandmark& l : drive.landmarks) {
-    estimated.push_back(l.estimated), covariances.push_back(l.covariance);
-    mapped.x.push_back(l.estimated.x()), mapped.y.push_back(l.estimated.y());
-    surveyed.x.push_back(l.surveyed.x()), surveyed.y.push_back(l.surveyed.y());
-  }
   const RobotCourse& robot = drive.robots.front();
-  const auto path = [&](planar::Pose<double> PoseInstant::*which) {
-    return [&robot, which](std::size_t k) {
-      const planar::Pose<double>& pose = robot.instants[k].*which;
-      return std::pair(pose.x(), pose.y());
-    };
+  const auto path = [&](const char* label, Color color, planar::Pose<double> PoseInstant::*pose) {
+    return path_of(label, Style::thin, color, drawn(robot),
+                   [&](std::size_t k) { return robot.instants[k].*pose; });
   };
-  Curve outlines = ellipses("2σ", estimated, covariances);
-  outlines.color = Color::sky;
-  panel.curves = {thinned("motion capture", robot, Color::gray, path(&PoseInstant::truth)),
-                  thinned("estimated", robot, Color::orange, path(&PoseInstant::mean)), outlines, surveyed,
-                  mapped};
+  const auto& landmarks = drive.landmarks;
+  panel.curves = {
+      path("motion capture", Color::gray, &PoseInstant::truth),
+      path("estimated", Color::orange, &PoseInstant::mean),
+      outlines_of("2σ", Color::sky, landmarks, &MappedLandmark::estimated, &MappedLandmark::covariance),
+      path_of("surveyed", Style::circles, Color::ink, landmarks, &MappedLandmark::surveyed),
+      path_of("landmarks", Style::crosses, Color::blue, landmarks, &MappedLandmark::estimated)};
   return panel;
 }
 
@@ -121,9 +104,9 @@ Plot errors(const Drives& d) {
   Plot plot{"fig-mrclam-errors", "Distance from motion capture", 2, {}};
   for (std::size_t i = 0; i < d.alone.plain.size(); ++i) {
     const auto curve = [](const char* name, const RobotCourse& robot, Color color) {
-      return thinned(name, robot, color, [&](std::size_t k) {
-        return std::pair(robot.t_s[k], robot.instants[k].error().head<2>().norm());
-      });
+      return curve_of(
+          name, Style::thin, color, drawn(robot), [&](std::size_t k) { return robot.t_s[k]; },
+          [&](std::size_t k) { return robot.instants[k].error().head<2>().norm(); });
     };
     Panel panel{fmt::format("robot {}", i + 1), "t, s", "m", {}};
     panel.curves = {curve("alone", d.alone.plain[i].robots.front(), Color::orange),
@@ -143,22 +126,14 @@ Alone drive_alone(const Robots& robots, const Setup& setup) {
 }
 
 Drives compare(const Robots& robots) {
-  Setup blind;
-  blind.see_each_other = false;
-  return {together(robots, {}), together(robots, iterated({})), together(robots, blind),
+  return {together(robots, {}), together(robots, iterated({})), together(robots, {.see_each_other = false}),
           drive_alone(robots, {})};
 }
 
-std::vector<double> of_robots(const Drive& drive, Number what) {
-  std::vector<double> values;
-  for (const RobotCourse& robot : drive.robots) values.push_back(robot.*what);
-  return values;
-}
+std::vector<double> of_robots(const Drive& drive, Number what) { return each(drive.robots, what); }
 
 std::vector<double> of_robots(const std::vector<Drive>& alone, Number what) {
-  std::vector<double> values;
-  for (const Drive& drive : alone) values.push_back(drive.robots.front().*what);
-  return values;
+  return each(alone, [&](const Drive& drive) { return drive.robots.front().*what; });
 }
 
 std::vector<double> best_robots(const Alone& alone, Number what) {
@@ -167,12 +142,6 @@ std::vector<double> best_robots(const Alone& alone, Number what) {
 
 std::vector<double> best_maps(const Alone& alone, double Drive::*what) {
   return best(alone, [&](const Drive& drive) { return drive.*what; });
-}
-
-std::vector<double> landmark_errors(const Drive& drive) {
-  std::vector<double> off;
-  for (const MappedLandmark& landmark : drive.landmarks) off.push_back(landmark.fitted_off_m);
-  return off;
 }
 
 std::vector<Plot> figures(const Drives& d) { return {table(d), maps(d), errors(d), landmark_table(d)}; }

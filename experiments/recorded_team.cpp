@@ -4,7 +4,8 @@
 #include <cmath>
 #include <memory>
 
-#include "experiments/processor_time.hpp"
+#include "experiments/seeds.hpp"
+#include "incognita/analysis/evaluation/statistics.hpp"
 #include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/recordings/range_formats.hpp"
 #include "incognita/math/largest_sigma.hpp"
@@ -35,103 +36,50 @@ EstimatorSettings settings_of(const Robots& robots, double start_t, const Setup&
   return settings;
 }
 
-/// Records a drive while the estimator runs.
-class Driver {
- public:
-  Driver(const Robots& robots, const Setup& setup)
-      : robots_(robots), recordings_(std::make_shared<const Robots>(robots)), setup_(setup) {
-    drive_.robots.resize(robots.size());
+void count(const Estimate& e, Drive& drive) {
+  drive.lost = drive.lost || e.status.state == TrackingState::lost;
+  for (const Match& match : e.last.matches) {
+    drive.measurements += match.outcome == MatchOutcome::matched || match.outcome == MatchOutcome::outlier;
+    drive.left_out += match.outcome == MatchOutcome::outlier;
   }
+}
 
-  Drive run() {
-    ReplayClock clock(scan_times(*recordings_, duration_s));
-    SensorSet sensors = recorded_ranges(recordings_, {.measures_vehicles = setup_.see_each_other});
-    Tick tick = clock.next();
-    const double start_t = tick.t;
-    SlamEstimator estimator(settings_of(robots_, start_t, setup_));
-    Estimate estimate;
-    double matched_t = start_t;
-    for (; tick; tick = clock.next()) {
-      const Observation observation = sensors.measure({}, tick);
-      const double before = processor_seconds();
-      estimator.update(estimate, {}, observation, tick);
-      drive_.took_s += processor_seconds() - before;
-      drive_.recorded_s = tick.t - start_t;
-      drive_.longest_blind_s = std::max(drive_.longest_blind_s, tick.t - matched_t);
-      if (estimate.last.matched > 0) matched_t = tick.t;
-      count(estimate);
-      for (std::size_t i = 0; i < robots_.size(); ++i) compare(estimate, i, tick.t, start_t);
-    }
-    finish(estimate);
-    return drive_;
+void compare(const AnyBelief& belief, BlockId block, const RangeRecording::TimedPosition& place, double t,
+             RobotCourse& course) {
+  const Eigen::Matrix3d P = belief.covariance(block);
+  course.add(t, {{place.position.x(), place.position.y(), *place.heading_rad}, belief.mean(block), P});
+  course.sigma_m.push_back(largest_sigma(Eigen::Matrix2d(P.topLeftCorner<2, 2>())));
+  course.most_sigma_heading_rad = std::max(course.most_sigma_heading_rad, std::sqrt(P(2, 2)));
+}
+
+void fit_landmarks(const Estimate& e, const std::vector<RangeRecording::Landmark>& surveyed, Drive& drive) {
+  std::vector<Vector2d> from, to;
+  for (const RangeRecording::Landmark& landmark : surveyed) {
+    const auto found = e.landmarks.find(landmark.identity);
+    if (found == e.landmarks.end()) continue;
+    const BlockId block = found->second.block;
+    from.emplace_back(e.belief.mean(block)), to.push_back(landmark.position);
+    drive.landmarks.push_back(
+        {landmark.identity, from.back(), to.back(), Eigen::Matrix2d(e.belief.covariance(block))});
   }
-
- private:
-  void count(const Estimate& e) {
-    squares_ += e.last.update.nis, rows_ += e.last.update.rows;
-    drive_.lost = drive_.lost || e.status.state == TrackingState::lost;
-    for (const Match& match : e.last.matches) {
-      drive_.measurements += match.outcome == MatchOutcome::matched || match.outcome == MatchOutcome::outlier;
-      drive_.left_out += match.outcome == MatchOutcome::outlier;
-    }
+  drive.fit = fit_rigid(from, to);
+  for (MappedLandmark& l : drive.landmarks) {
+    l.off_m = (l.estimated - l.surveyed).norm();
+    l.fitted_off_m = (drive.fit(l.estimated) - l.surveyed).norm();
   }
+  drive.map_rms_m = rms_of(each(drive.landmarks, &MappedLandmark::off_m)).value;
+  drive.fitted_map_rms_m = rms_of(each(drive.landmarks, &MappedLandmark::fitted_off_m)).value;
+}
 
-  void compare(const Estimate& e, std::size_t i, double t, double start_t) {
-    const auto place = true_position(robots_[i], t);
-    if (!place) return;
-    const Eigen::Matrix3d P = e.belief.covariance(e.bodies[i].block);
-    RobotCourse& course = drive_.robots[i];
-    course.add(t - start_t, {{place->position.x(), place->position.y(), *place->heading_rad},
-                             e.belief.mean(e.bodies[i].block),
-                             P});
-    course.sigma_m.push_back(largest_sigma(Eigen::Matrix2d(P.topLeftCorner<2, 2>())));
-    course.most_sigma_heading_rad = std::max(course.most_sigma_heading_rad, std::sqrt(P(2, 2)));
-  }
-
-  void finish(const Estimate& e) {
-    drive_.nis = squares_ / std::max(1, rows_);
-    fit_landmarks(e);
-    for (RobotCourse& course : drive_.robots) {
-      for (const PoseInstant& now : course.instants)
-        course.fitted_rms_m += (drive_.fit(now.mean.head<2>()) - now.truth.head<2>()).squaredNorm() /
-                               static_cast<double>(course.instants.size());
-      course.fitted_rms_m = std::sqrt(course.fitted_rms_m);
-      course.rms_m = course.position_rms_m();
-      course.rms_heading_rad = course.heading_rms_rad();
-      course.nees = course.mean_nees();
-    }
-  }
-
-  void fit_landmarks(const Estimate& e) {
-    std::vector<Vector2d> estimated, surveyed;
-    for (const RangeRecording::Landmark& landmark : robots_.front().landmarks) {
-      const auto found = e.landmarks.find(landmark.identity);
-      if (found == e.landmarks.end()) continue;
-      const BlockId block = found->second.block;
-      estimated.emplace_back(e.belief.mean(block));
-      surveyed.push_back(landmark.position);
-      drive_.landmarks.push_back({landmark.identity, estimated.back(), landmark.position,
-                                  Eigen::Matrix2d(e.belief.covariance(block))});
-    }
-    drive_.fit = fit_rigid(estimated, surveyed);
-    const auto count = static_cast<double>(drive_.landmarks.size());
-    for (MappedLandmark& l : drive_.landmarks) {
-      l.off_m = (l.estimated - l.surveyed).norm(),
-      l.fitted_off_m = (drive_.fit(l.estimated) - l.surveyed).norm();
-      drive_.map_rms_m += l.off_m * l.off_m / count;
-      drive_.fitted_map_rms_m += l.fitted_off_m * l.fitted_off_m / count;
-    }
-    drive_.map_rms_m = std::sqrt(drive_.map_rms_m);
-    drive_.fitted_map_rms_m = std::sqrt(drive_.fitted_map_rms_m);
-  }
-
-  const Robots& robots_;
-  std::shared_ptr<const Robots> recordings_;
-  Setup setup_;
-  double squares_ = 0;
-  int rows_ = 0;
-  Drive drive_;
-};
+void finish(const PlanarFit& fit, RobotCourse& course) {
+  course.rms_m = course.position_rms_m();
+  course.rms_heading_rad = course.heading_rms_rad();
+  course.nees = course.mean_nees();
+  for (const PoseInstant& now : course.instants)
+    course.fitted_rms_m += (fit(now.mean.head<2>()) - now.truth.head<2>()).squaredNorm() /
+                           static_cast<double>(course.instants.size());
+  course.fitted_rms_m = std::sqrt(course.fitted_rms_m);
+}
 
 /// Scans that show nothing at the times of the others' scans; none from before the team's first.
 void measure_at_all_times(RangeRecording& robot, const Robots& team) {
@@ -149,14 +97,37 @@ void measure_at_all_times(RangeRecording& robot, const Robots& team) {
 
 Robots load() { return read_mrclam_team(find_data("mrclam/MRCLAM_Dataset7", "", "reproduce mrclam")); }
 
-Drive together(const Robots& robots, const Setup& setup) { return Driver(robots, setup).run(); }
+Drive together(const Robots& robots, const Setup& setup) {
+  const double start_t = scan_times(robots, duration_s).front();
+  Drive drive;
+  drive.robots.resize(robots.size());
+  double squares = 0, matched_t = start_t;
+  int rows = 0;
+  const auto visit = [&](const Estimate& e, const Tick& tick) {
+    drive.recorded_s = tick.t - start_t;
+    drive.longest_blind_s = std::max(drive.longest_blind_s, tick.t - matched_t);
+    if (e.last.matched > 0) matched_t = tick.t;
+    squares += e.last.update.nis, rows += e.last.update.rows;
+    count(e, drive);
+    for (std::size_t i = 0; i < robots.size(); ++i)
+      if (const auto place = true_position(robots[i], tick.t))
+        compare(e.belief, e.bodies[i].block, *place, tick.t - start_t, drive.robots[i]);
+  };
+  const Estimate last =
+      replay(std::make_shared<const Robots>(robots), duration_s, {.measures_vehicles = setup.see_each_other},
+             settings_of(robots, start_t, setup), visit, &drive.took_s);
+  drive.nis = squares / std::max(1, rows);
+  fit_landmarks(last, robots.front().landmarks, drive);
+  for (RobotCourse& course : drive.robots) finish(drive.fit, course);
+  return drive;
+}
 
 Drive alone(const Robots& robots, std::size_t which, const Setup& setup, Times times) {
   Setup by_itself = setup;
   by_itself.see_each_other = false;
   Robots only = {robots[which]};
   if (times == Times::of_team) measure_at_all_times(only.front(), robots);
-  return Driver(only, by_itself).run();
+  return together(only, by_itself);
 }
 
 std::vector<Drive> each_alone(const Robots& robots, const Setup& setup, Times times) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "experiments/processor_time.hpp"
 #include "incognita/math/angles.hpp"
 #include "incognita/models/motion/planar_vehicle.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
@@ -23,9 +24,8 @@ struct PoseInstant {
     e[2] = wrap_angle(e[2]);
     return e;
   }
-  double nees() const {
-    return error().dot(covariance.llt().solve(error())) / 3;
-  }  ///< of the pose, divided by 3
+  /// Of the pose, divided by 3.
+  double nees() const { return error().dot(covariance.llt().solve(error())) / 3; }
 };
 
 struct RunTrace {
@@ -53,16 +53,20 @@ struct RunTrace {
 };
 
 /// Gives a recording to an estimator and calls `visit(estimate, tick)` after each tick; returns the last
-/// estimate.
+/// estimate. The time that updates take is added to `took_s`, unless it is null.
 template <class Visit>
 Estimate replay(const SharedRangeRecordings& recordings, double duration_s,
-                const RangeSensorSettings& settings, const EstimatorSettings& filter, const Visit& visit) {
+                const RangeSensorSettings& settings, const EstimatorSettings& filter, const Visit& visit,
+                double* took_s = nullptr) {
   ReplayClock clock(scan_times(*recordings, duration_s));
   SensorSet sensors = recorded_ranges(recordings, settings);
   SlamEstimator estimator(filter);
   Estimate estimate;
   while (const Tick tick = clock.next()) {
-    estimator.update(estimate, {}, sensors.measure({}, tick), tick);
+    const Observation observation = sensors.measure({}, tick);
+    const double before_s = processor_seconds();
+    estimator.update(estimate, {}, observation, tick);
+    if (took_s) *took_s += processor_seconds() - before_s;
     visit(estimate, tick);
   }
   return estimate;

@@ -89,8 +89,7 @@ Claim counting(const Runs& variant, const Runs& printed) {
 }
 
 LedgerEntry run(const ExperimentSettings& all_seeds) {
-  ExperimentSettings settings = all_seeds;
-  settings.seeds = (all_seeds.seeds + 1) / 2;  // ten ways
+  const ExperimentSettings settings = half_of(all_seeds);  // ten ways
   const auto runs = [&](const std::string& scenario, const std::vector<Strategy>& all) {
     return runs_of_all(scenario, all, settings, fresh_rooms);
   };

@@ -56,8 +56,7 @@ Claim one_cycle(const Runs& runs) {
 }
 
 LedgerEntry run(const ExperimentSettings& all_seeds) {
-  ExperimentSettings settings = all_seeds;
-  settings.seeds = (all_seeds.seeds + 1) / 2;
+  const ExperimentSettings settings = half_of(all_seeds);
   const std::vector<Runs> runs = runs_of_all("terrain", driving(), settings);
   const Runs from_the_middle =
                  runs_of("terrain", {"from the middle", {"start.positions_m=[[0, 0, 0]]"}}, settings),
@@ -72,9 +71,9 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
             backs_away("6.4-backwards-from-a-wall", "Section 6.4.2, Figure 6.9, not in the thesis", backwards,
                        "1 m before the wall behind it", runs[0]),
             one_cycle(impulses), inside_its_bounds(runs[0])}}),
-      {map_figure("fig-6.9", "A vehicle that explores, by how it drives", names_of(driving()), runs),
-       error_figure("fig-6.10", "Estimation errors of its camera and their 2 sigma bounds",
-                    names_of(driving()), runs)});
+      {map_figure("fig-6.9", "A vehicle that explores, by how it drives", driving(), runs),
+       error_figure("fig-6.10", "Estimation errors of its camera and their 2 sigma bounds", driving(),
+                    runs)});
 }
 
 }  // namespace

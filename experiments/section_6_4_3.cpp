@@ -36,8 +36,7 @@ Plot vehicle_figure(const Run& run) {
 }
 
 LedgerEntry run(const ExperimentSettings& all_seeds) {
-  ExperimentSettings settings = all_seeds;
-  settings.seeds = (all_seeds.seeds + 1) / 2;  // five ways
+  const ExperimentSettings settings = half_of(all_seeds);  // five ways
   const std::vector<Runs> runs = runs_of_all("explore-terrain", driving(), settings, fresh_rooms);
   const Runs all =
       runs_of("explore-terrain", {"all in view counted", {"exploration.counted=all"}}, settings, fresh_rooms);

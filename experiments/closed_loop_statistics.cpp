@@ -93,16 +93,17 @@ double mean_nees(const Run& run, std::size_t robot) {
 }
 
 Claim consistent_enough(const std::string& id, const std::string& place, const Runs& runs) {
-  Eigen::Array3d within = Eigen::Array3d::Zero();
-  double ticks = 0;
-  for (const Run& run : runs)
+  Eigen::Array3d percent = Eigen::Array3d::Zero();
+  for (const Run& run : runs) {
+    Eigen::Array3d within = Eigen::Array3d::Zero();
     for (const Instant& i : run.instants) {
       const RobotInstant& r = i.robots[0];
       within += (r.error().array().abs() <= 2 * r.covariance.diagonal().array().sqrt()).cast<double>();
-      ++ticks;
     }
+    within /= static_cast<double>(run.instants.size());
+    percent += 100 * within / static_cast<double>(runs.size());
+  }
   const Interval nees = bootstrap_mean(each(runs, [](const Run& run) { return mean_nees(run); }));
-  const Eigen::Array3d percent = 100 * within / ticks;
   return assessed(
       id, place,
       "The estimate stays usable for control: mean NEES of the pose, over its 3 degrees of freedom, below "

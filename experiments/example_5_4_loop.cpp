@@ -77,7 +77,11 @@ Finding bounded(const Runs& runs) {
 }
 
 std::string consistency(const Runs& runs) {
-  const auto share = [&](std::size_t axis) { return mean_of(inside(runs, axis)).value; };
+  const auto share = [&](std::size_t axis) {
+    double mean = 0;
+    for (const double of_run : inside(runs, axis)) mean += of_run / static_cast<double>(runs.size());
+    return mean;
+  };
   return fmt::format(
       "x, y, z {:.2f}, {:.2f}, {:.2f}, rotations {:.2f}, {:.2f}, {:.2f}; NEES {:.2f} ({:.2f} in the median "
       "run), NIS {:.2f}",

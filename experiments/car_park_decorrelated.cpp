@@ -26,7 +26,7 @@ const Variant all_dropped{.decorrelate = Decorrelation::everything},
     anchored_least_trace{.anchored = true, .decorrelate = Decorrelation::map},
     anchored_linear{.anchored = true, .decorrelate = Decorrelation::map_linear};
 
-/// The same filter, told which beacon each detection is of.
+/// The same filter, with the identity of the beacon of each detection.
 Drive with_right_associations(const Data& data, Variant variant) {
   variant.right_associations = true;
   return drive(data, variant);

@@ -37,7 +37,7 @@ Curve over_time(const std::string& label, const Run& run, const Direction& c, Co
   return over_time(label, run, information(run, c), color, style);
 }
 
-/// Every so many measurements of the usual drive.
+/// Every n-th measurement of the usual drive.
 Curve rank_curve(const std::string& label, const std::vector<Knowledge>& known, Style style, Color color,
                  std::size_t every = 1) {
   Curve curve{label, style, {}, {}, {}, color};

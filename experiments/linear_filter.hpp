@@ -10,7 +10,7 @@ namespace incognita {
 
 inline constexpr double rounding_error = 1e-12;
 
-/// Covariance after so many rounds of prediction and update.
+/// Covariance after `steps` predictions and updates.
 inline Eigen::MatrixXd filtered(const LinearSystem& system, Eigen::MatrixXd P, int steps) {
   for (int k = 0; k < steps; ++k) {
     P = predicted(system, P);

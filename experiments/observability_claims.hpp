@@ -169,7 +169,7 @@ inline bool for_all(std::initializer_list<int> numbers, const std::function<bool
 }
 std::vector<int> each_of(std::initializer_list<int> numbers, const std::function<int(int)>& of);
 
-/// The claim by assessed(), which rests on all motions of so many cases.
+/// The claim by assessed(), over all motions of `cases` cases.
 template <class... Findings>
 Claim studied(int cases, std::string id, std::string place, std::string statement, Evidence evidence,
               const Findings&... findings) {

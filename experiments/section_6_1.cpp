@@ -53,7 +53,7 @@ struct Plane {
     return step;
   }
 
-  /// What the measurements after a step would tell.
+  /// The information of the measurements after a step.
   InformationGain gain_of(const ImaginedStep& step) const {
     InformationGain gain;
     gain.start(belief, camera);

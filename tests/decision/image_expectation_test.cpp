@@ -7,6 +7,7 @@
 
 #include "incognita/math/random.hpp"
 #include "incognita/models/motion/heading.hpp"
+#include "incognita/models/motion/mount.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
 
 namespace incognita {
@@ -92,6 +93,39 @@ TEST(ImageExpectation, PredictsNoMoreNewLandmarksThanWouldBeInitialized) {
   EXPECT_EQ(count(expect(before(20), predicted_before(30), slam, false), PredictedMeasurement::Of::unseen),
             30)
       << "all of them by default";
+}
+
+/// On a vehicle the measurement depends on the error of its pose, by way of the mount.
+TEST(ImageExpectation, OfAMountedCameraIsLinearizedInTheErrorOfItsVehicle) {
+  const Eigen::Vector3d at(0.1, -0.2, 0.3);
+  Estimate e;
+  Body& body = e.bodies.emplace_back();
+  body.block = e.belief.add_vehicle(planar::pose_chart, SmallVector(at), 1e-4 * Eigen::Matrix3d::Identity());
+  Landmark landmark;
+  landmark.id = new_id(e);
+  landmark.camera = 0;
+  const Eigen::Vector3d point(3, 0.6, 0.8);
+  landmark.block = e.belief.augment(PointLandmark::chart, point, {}, 1e-4 * Eigen::Matrix3d::Identity());
+  e.landmarks.emplace(landmark.id, landmark);
+  const Mount mount{.forward_m = 0.2, .left_m = -0.1, .up_m = 0.5, .pitch_rad = 0.05, .yaw_rad = 0.1};
+  ImageExpectation expectation(WideAngleCamera{}, {}, false, {0, 0, DifferentialDrive{}, mount});
+  expectation.prepare(e, {}, 1);
+  std::vector<PredictedMeasurement> measurements;
+  expectation.add(SmallVector(at), measurements);
+  ASSERT_EQ(measurements.size(), 1u);
+  ASSERT_EQ(measurements[0].Hv.cols(), 3);
+  const auto pixel = [&](const Eigen::Vector3d& pose) {
+    return PointLandmark::predict_measurement(Camera(WideAngleCamera{}), mount.on(on_floor(pose)).camera,
+                                              point)
+        ->pixel;
+  };
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d step = 1e-6 * Eigen::Vector3d::Unit(k);
+    EXPECT_NEAR(((pixel(at + step) - pixel(at - step)) / 2e-6 - measurements[0].Hv.col(k)).norm(), 0, 1e-4)
+        << k;
+  }
+  EXPECT_TRUE(expectation.in_view(SmallVector(at), point));
+  EXPECT_FALSE(expectation.in_view(SmallVector(at + Eigen::Vector3d(0, 0, 3)), point)) << "turned away";
 }
 
 }  // namespace

@@ -72,8 +72,10 @@ void predict_through_readings(Estimate& e, std::size_t which, const BodyObservat
       correct_by_fix(e, which, *fix, settings);
     }
   };
+  // The odometry of a body in space is that of its carrier, and not its own input
+  const bool moves_it = !traits_of(settings.bodies[which].motion).in_space();
   for (const Odometry& reading : view.odometry) {
-    if (inputs_of(settings.bodies[which].motion) != 2) break;  // the encoders of a camera's carrier
+    if (!moves_it) break;
     use_fixes_until(reading.t);
     hold_until(e, which, reading.t, settings);
     if (body.input && reading.t > body.input_t) body.input_period = reading.t - body.input_t;

@@ -28,7 +28,7 @@ class World {
   virtual std::optional<Truth> move(const Command& command, const Tick& tick) = 0;
 };
 
-/// The sensors of the body.
+/// The sensors of all bodies.
 class Sensor {
  public:
   virtual ~Sensor() = default;

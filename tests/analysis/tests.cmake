@@ -5,6 +5,7 @@ incognita_test(analysis_test
 incognita_test(observability_monitor_test SOURCES analysis/observability_monitor_test.cpp analysis/observability_report_test.cpp
                                                  analysis/symmetries_test.cpp
                USES incognita::analysis)
-incognita_test(systems_test SOURCES analysis/expression_graph_test.cpp analysis/observability_test.cpp
+incognita_test(systems_test SOURCES analysis/assigned_input_test.cpp analysis/expression_graph_test.cpp
+                                    analysis/observability_test.cpp analysis/thesis_ranks_test.cpp
                USES incognita::systems incognita::io)
 target_link_libraries(systems_test PRIVATE PkgConfig::GINAC)  # the headers of a system's symbols

@@ -28,11 +28,13 @@ incognita_test(car_park_test SOURCES app/car_park_test.cpp USES incognita::app i
 incognita_test(observability_watch_test SOURCES app/observability_watch_test.cpp USES incognita::app)
 incognita_test(team_test SOURCES app/team_test.cpp USES incognita::control incognita::world)
 incognita_test(team_recording_test SOURCES app/team_recording_test.cpp USES incognita::app)
-incognita_test(team_scenario_test SOURCES app/team_scenario_test.cpp USES incognita::app fmt::fmt)
+incognita_test(point_scenario_test SOURCES app/point_scenario_test.cpp app/point_scenario_runs_test.cpp
+                                           app/model_combinations_test.cpp USES incognita::app fmt::fmt)
 incognita_program_test(program_team_test SOURCES app/program_team_test.cpp
                        USES incognita::record fmt::fmt)
 # Separate, since it alone kills the programs that it starts
-incognita_program_test(program_campaign_test SOURCES app/program_campaign_test.cpp)
+incognita_program_test(program_campaign_test SOURCES app/program_campaign_test.cpp
+                                                     app/program_campaign_interrupted_test.cpp)
 incognita_test(withheld_truth_test SOURCES app/withheld_truth_test.cpp USES incognita::app)
 incognita_test(room_vehicle_test SOURCES app/room_vehicle_test.cpp USES incognita::app)
 incognita_test(combinations_test SOURCES app/combinations_test.cpp app/sensor_combinations_test.cpp USES incognita::app)

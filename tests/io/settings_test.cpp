@@ -271,7 +271,7 @@ TEST(LoadScenario, RefusesWrongValues) {
   EXPECT_HAS(complaint(free_start, {"run.rate_hz="}), "must be a number");
 }
 
-TEST(LoadScenario, TellsAllFaultsAtOnce) {
+TEST(LoadScenario, NamesAllFaultsAtOnce) {
   const std::string text = complaint(free_start + "[run]\nsede = 1\nrate_hz = -1\n", {"world.type=x"});
   EXPECT_HAS(text, "mine.toml:4: ");
   EXPECT_HAS(text, "mine.toml:5: ");

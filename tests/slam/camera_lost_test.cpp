@@ -131,7 +131,7 @@ TEST(CameraLost, StaysWhereItWas) {
 }
 
 /// How far it is looked for is a setting.
-TEST(CameraLost, IsLookedForWithinTheSigmasOfTheSettings) {
+TEST(CameraLost, IsSearchedForWithinTheSigmasOfTheSettings) {
   CameraSlamSettings far = Tracked::defaults();
   far.health.sigma_search_position_m = 0.3, far.health.sigma_search_rotation_rad = 0.25;
   far.health.sigma_search_velocity_m_s = 0.7, far.health.sigma_search_rate_rad_s = 0.9;

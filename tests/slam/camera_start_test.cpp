@@ -32,7 +32,7 @@ TEST(CameraStart, FromATargetIsAtTheTruePose) {
     EXPECT_NE(estimate.status.reason.find("sheet"), std::string::npos) << estimate.status.reason;
 
     const auto error = camera_error(truth, estimate.camera_state());
-    // A flat target, nearly straight on, hardly tells a step aside from a turn about it
+    // A flat target, nearly straight on, hardly distinguishes a step aside from a rotation about it
     EXPECT_LT(error.head<3>().norm(), 0.06) << error.transpose();
     EXPECT_LT(error.segment<3>(3).norm(), 0.04) << error.transpose();
     EXPECT_LT(sigma_position(estimate.body()), 0.1);

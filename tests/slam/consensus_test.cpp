@@ -38,11 +38,11 @@ TEST(Consensus, ConsistentMatchesAreAllTaken) {
   }
 }
 
-TEST(Consensus, PlantedOutliersAreFoundOut) {
+TEST(Consensus, OutliersAreRejected) {
   RandomStream random(2, "consensus");
   for (int trial = 0; trial < 50; ++trial) {
     Frame f = frame(12, random);
-    // well inside its own gate, which is tens of pixels: only the others can tell
+    // well inside its own gate, which is tens of pixels: only the other matches contradict it
     for (const int i : {3, 8}) f.residuals[2 * i + random.below(2)] += random.below(2) ? 12 : -12;
     std::vector<bool> wanted(12, true);
     wanted[3] = wanted[8] = false;
@@ -50,7 +50,7 @@ TEST(Consensus, PlantedOutliersAreFoundOut) {
   }
 }
 
-TEST(Consensus, ALoneMatchIsHeldToItsOwnGate) {
+TEST(Consensus, ASingleMatchIsTestedByItsOwnGate) {
   Eigen::Matrix2d S;
   S << 9, 3, 3, 4;
   const Eigen::Vector2d direction(1, 2);
@@ -93,19 +93,19 @@ std::vector<bool> last(int of, int returning) {
   return which;
 }
 
-TEST(Consensus, WhatComesBackAloneIsNotBelieved) {
+TEST(Consensus, AReturningMatchAloneIsUnconfirmed) {
   const Frame one = loop_closing(6, 1), two = loop_closing(6, 2);
   const std::vector<bool> all(7, true), none(7, false);
-  EXPECT_EQ(consistent_matches(one.residuals, one.S, gate), all) << "nothing speaks against it";
-  EXPECT_EQ(unconfirmed_matches(one.S, all, last(7, 1), 8), last(7, 1)) << "and nothing for it";
+  EXPECT_EQ(consistent_matches(one.residuals, one.S, gate), all) << "no other match contradicts it";
+  EXPECT_EQ(unconfirmed_matches(one.S, all, last(7, 1), 8), last(7, 1)) << "and none confirms it";
   EXPECT_EQ(unconfirmed_matches(one.S, all, last(7, 1), 31), none) << "near enough by itself";
-  EXPECT_EQ(unconfirmed_matches(one.S, all, none, 8), none) << "one that was just born";
+  EXPECT_EQ(unconfirmed_matches(one.S, all, none, 8), none) << "one that was just initialized";
   EXPECT_EQ(unconfirmed_matches(two.S, std::vector<bool>(8, true), last(8, 2), 8),
             std::vector<bool>(8, false))
-      << "two bear each other out";
+      << "two that return confirm each other";
 }
 
-TEST(Consensus, OfTwoThatComeBackOtherwiseNoneIsBelieved) {
+TEST(Consensus, TwoReturningMatchesThatDisagreeAreUnconfirmed) {
   Frame f = loop_closing(6, 2);
   f.residuals.tail<2>() << -20, 10;
   const std::vector<bool> agrees = consistent_matches(f.residuals, f.S, gate);
@@ -115,7 +115,7 @@ TEST(Consensus, OfTwoThatComeBackOtherwiseNoneIsBelieved) {
 }
 
 /// Along one axis: beside the other's its information is lost in rounding.
-TEST(Consensus, AMatchThatNothingIsKnownOfAlongOneAxisIsAlone) {
+TEST(Consensus, AMatchWithoutInformationAlongOneAxisIsUnconfirmed) {
   const Eigen::Matrix2d S = Eigen::Vector2d(1, 1e20).asDiagonal();
   const std::vector<bool> yes{true}, no{false};
   EXPECT_EQ(unconfirmed_matches(S, yes, yes, 1e9), yes);

@@ -138,7 +138,7 @@ TEST(DepthLine, BecomesAPointWhenSigmaOverDepthIsSmall) {
         return Eigen::VectorXd(point_on(line, before.estimate.belief, 1 / depth.mean, e));
       });
       const Eigen::Vector3d along = (mean - before.estimate.belief.mean(line.block).head<3>()) / depth.mean;
-      const double spacing_m = 4.5 / 100;  // hypotheses can tell no less than uniform between two of them
+      const double spacing_m = 4.5 / 100;  // the resolution of the hypotheses
       const Eigen::Matrix3d P =
           J * before.estimate.belief.covariance(line.block) * J.transpose() +
           (depth.sigma * depth.sigma + spacing_m * spacing_m / 12) * along * along.transpose();

@@ -86,7 +86,7 @@ TEST(LandmarkInitialization, OfAnInverseDepthIsTheRayWithItsPropagatedCovariance
   expect_propagated(estimate.belief, c.camera_block(), c.other, landmark.block, 0.7);
   const Eigen::MatrixXd P = estimate.belief.covariance(landmark.block);
   EXPECT_NEAR(P(5, 5), 0.09, 1e-12) << "the prior's";
-  EXPECT_LT(P.row(5).head(5).norm(), 1e-12) << "nothing that is known tells the depth";
+  EXPECT_LT(P.row(5).head(5).norm(), 1e-12) << "no measurement so far informs the depth";
   EXPECT_LT(estimate.belief.covariance(landmark.block, c.camera_block()).row(5).norm(), 1e-12);
   EXPECT_EQ(estimate.belief.dense_covariance().topLeftCorner(15, 15), before) << "all else is as it was";
 }

@@ -92,18 +92,18 @@ void expect_same(const Estimate& a, const Estimate& b) {
 void nothing(Observation&) {}
 
 TEST(TeamAssociation, FindsWhatNamesWouldHaveTold) {
-  const Estimate told = estimate_of(Drive(1, DataAssociationSettings::Method::known), nothing);
+  const Estimate identified = estimate_of(Drive(1, DataAssociationSettings::Method::known), nothing);
   const Estimate found = estimate_of(Drive(), nothing);
   ASSERT_EQ(found.mapped_count(), 10);
-  ASSERT_EQ(told.mapped_count(), 10);
+  ASSERT_EQ(identified.mapped_count(), 10);
   std::size_t used = 0;
   for (const auto& [number, landmark] : found.landmarks) {
     if (landmark.fixed) continue;
     double nearest_m = 1e9;
-    for (const auto& [identity, other] : told.landmarks)
+    for (const auto& [identity, other] : identified.landmarks)
       if (!other.fixed)
-        nearest_m =
-            std::min(nearest_m, (found.belief.mean(landmark.block) - told.belief.mean(other.block)).norm());
+        nearest_m = std::min(
+            nearest_m, (found.belief.mean(landmark.block) - identified.belief.mean(other.block)).norm());
     EXPECT_LT(nearest_m, 0.05);
     used += static_cast<std::size_t>(landmark.detection_count);
   }

@@ -76,16 +76,16 @@ TEST(TeamLooks, OfAnotherVehicleAreDerivedByBothInAnyPlace) {
     const AnySensor& sensor = pair.settings.bodies[0].sensors[0].sensor;
     SCOPED_TRACE(std::to_string(motion.index()) + " " + std::to_string(sensor.index()));
     PointDetection detection{1, SmallVector::Zero(chart_of(sensor).tangent())};
-    const auto told = linearize_detection(pair.estimate, 0, true, detection, pair.settings);
-    ASSERT_TRUE(told);
-    ASSERT_EQ(told->linearized.part_count, 2);
+    const auto of_body = linearize_detection(pair.estimate, 0, true, detection, pair.settings);
+    ASSERT_TRUE(of_body);
+    ASSERT_EQ(of_body->linearized.part_count, 2);
     const auto wanted =
         predict_measurement(sensor, motion, pair.estimate.belief.mean(pair.estimate.bodies[0].block), {},
                             pose_of(motion, pair.estimate.belief.mean(pair.estimate.bodies[1].block))
                                 .position.head(dimensions_of(sensor)));
-    EXPECT_LE((told->predicted - wanted->z).norm(), 1e-12) << "where the other is in the place";
+    EXPECT_LE((of_body->predicted - wanted->z).norm(), 1e-12) << "the other body as a landmark";
     for (int part = 0; part < 2; ++part) {
-      const auto& by = told->linearized.parts[static_cast<std::size_t>(part)];
+      const auto& by = of_body->linearized.parts[static_cast<std::size_t>(part)];
       ASSERT_EQ(by.block, pair.estimate.bodies[static_cast<std::size_t>(part)].block);
       const SmallMatrix found = differences(pair, by.block, chart_of(motion), detection);
       EXPECT_LE((by.H - found).norm(), 1e-5 * found.norm()) << by.H << "\n\n" << found;

@@ -54,8 +54,8 @@ struct SensorLimits {
 
 /// Why sensors of a plane or of space cannot be used on a line.
 inline constexpr std::string_view line_needs_relative_position =
-    "a vehicle on a line sees how far along it a point is, and nothing else: a bearing says nothing there, and an "
-    "image has one column";
+    "a vehicle on a line measures only where a point is along the line: there a bearing has no information, and an image "
+    "one column";
 
 /// Static properties of a sensor, for code independent of its type.
 struct SensorTraits {

@@ -189,7 +189,7 @@ TEST(AnySensor, IncompatibleVehicleIsRefusedWithTheReason) {
     EXPECT_NE(incompatibility(motion, sensor).find(part), std::string::npos)
         << incompatibility(motion, sensor);
   };
-  says(MonobotMotion{}, BearingSensor{}, "a bearing says nothing there");
+  says(MonobotMotion{}, BearingSensor{}, "a bearing has no information");
   says(DifferentialDrive{}, RelativePositionSensor{}, "needs a vehicle on a line");
   says(FreeCameraMotion{}, RelativePositionSensor{}, "needs a vehicle on a line");
   says(FreeCameraMotion{}, RangeBearingSensor{}, "cannot localize a body in space");

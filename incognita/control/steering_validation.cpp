@@ -42,7 +42,10 @@ std::string validate_held(const SteeringSettings& s, int inputs) {
   if (!problem.empty() || s.most_input.size() == 0) return problem;
   std::string limits = validate_limits(s, inputs);
   if (!limits.empty() || (s.input.array().abs() <= s.most_input.array()).all()) return limits;
-  return "the input that is held is more than the vehicle can do";
+  Eigen::Index most = 0;
+  (s.input.array().abs() / s.most_input.array()).maxCoeff(&most);
+  return format_message("the constant input exceeds what the vehicle can do: ", s.input[most], ", limit ",
+                        s.most_input[most]);
 }
 
 std::string need_speed(const SteeringSettings& s) {
@@ -126,8 +129,7 @@ std::string need_heading_along(const Path& path) {
 /// driven by v^2 (K_y e + K_theta e'/v), so the highest speed is critical.
 std::string validate_tracking(const SteeringSettings& s, double period_s) {
   const double v = greatest_speed(s.path).m_s;
-  if (!(v > 0))
-    return "tracking follows a reference that moves: take `feedback-linearization` or `lqg` for a point";
+  if (!(v > 0)) return "tracking follows a reference that moves: take `feedback-linearization` for a point";
   std::string problem =
       first_of({need_speed(s), need_turn_rate(s), need_small_turns(s, period_s), need_heading_along(s.path),
                 need_positive("the gain along", s.gain_along_per_s),

@@ -1,6 +1,7 @@
 #include "incognita/decision/decision.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -62,6 +63,13 @@ void Decision::forget() {
   }
 }
 
+/// Time since the last call, s: it may be called less often than the estimate is updated, or more often.
+double Decision::since_last_call(const Tick& tick) {
+  const double since_s = last_t_ ? tick.t - *last_t_ : tick.dt;
+  last_t_ = tick.t;
+  return std::abs(since_s - tick.dt) < 1e-9 ? tick.dt : since_s;
+}
+
 void Decision::explore(const Estimate& estimate, const Tick& tick) {
   if (exploration_.settings().expected_landmarks == 0) return;
   const double share = tick.dt / static_cast<double>(choices_.size());
@@ -74,7 +82,8 @@ void Decision::explore(const Estimate& estimate, const Tick& tick) {
   goal_.coverage = exploration_.coverage();
 }
 
-Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& tick) {
+Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& now) {
+  const Tick tick{now.frame, now.t, since_last_call(now)};
   if (!estimate.started || estimate.status.state == TrackingState::lost) {
     forget();
     return goal_;

@@ -34,11 +34,13 @@ class Decision final : public Strategy {
  private:
   void forget();
   void explore(const Estimate& estimate, const Tick& tick);
+  double since_last_call(const Tick& tick);
 
   std::vector<std::unique_ptr<BodyChoice>> choices_;
   MapExpectation expectation_;
   Exploration exploration_;
   Goal goal_;
+  std::optional<double> last_t_;         ///< s, of the last call
   std::optional<double> entropy_due_t_;  ///< s, next evaluation of the extended entropy
 };
 

@@ -58,8 +58,11 @@ void Exploration::move_elsewhere(ExpectedLandmark& landmark) {
   const auto draw = [&] {
     for (int i = 0; i < 3; ++i) landmark.position[i] = settings_.min_m[i] + size[i] * random_.uniform();
   };
-  draw();
-  while (seen(cell_of(landmark.position))) draw();
+  constexpr int most_draws = 10000;  // nearly all is seen by then
+  for (int i = 0; i < most_draws; ++i) {
+    draw();
+    if (!seen(cell_of(landmark.position))) return;
+  }
 }
 
 void Exploration::update(const std::function<bool(const Eigen::Vector3d&)>& in_view, double dt, int mapped) {

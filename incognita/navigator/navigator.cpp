@@ -1,6 +1,7 @@
 #include "incognita/navigator/navigator.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,7 +26,34 @@ Navigator::Navigator(SlamEstimator estimator) : estimator_(std::move(estimator))
   pending_.bodies.resize(estimator_.settings().bodies.size());
 }
 
+namespace {
+
+[[noreturn]] void refuse(std::size_t body, const std::string& why) {
+  throw std::invalid_argument("body " + std::to_string(body) + ": " + why);
+}
+
+/// Readings until the time, which are removed from the list.
+template <class Reading>
+std::vector<Reading> taken_until(std::vector<Reading>& readings, double t) {
+  const auto later = std::ranges::find_if(readings, [&](const Reading& reading) { return reading.t > t; });
+  std::vector<Reading> taken(readings.begin(), later);
+  readings.erase(readings.begin(), later);
+  return taken;
+}
+
+template <class Reading>
+void add_in_order(std::vector<Reading>& readings, Reading reading, std::size_t body) {
+  if (!readings.empty() && reading.t < readings.back().t)
+    refuse(body, "a reading at t = " + std::to_string(reading.t) + " s after one at " +
+                     std::to_string(readings.back().t) + " s; add readings in time order");
+  readings.push_back(std::move(reading));
+}
+
+}  // namespace
+
 BodyObservation& Navigator::pending(std::size_t body, double t) {
+  if (!std::isfinite(t))
+    refuse(body, "a measurement at t = " + std::to_string(t) + ": a time in s is needed");
   if (body >= pending_.bodies.size())
     throw std::invalid_argument("a measurement of body " + std::to_string(body) + ": there are " +
                                 std::to_string(pending_.bodies.size()) + ", counted from 0");
@@ -37,18 +65,35 @@ BodyObservation& Navigator::pending(std::size_t body, double t) {
 }
 
 void Navigator::add_odometry(const Eigen::Vector2d& input, double t, std::size_t body) {
-  pending(body, t).odometry.push_back({t, input});
+  BodyObservation& observed = pending(body, t);
+  const BodyModel& model = estimator_.settings().bodies[body];
+  const bool in_space = traits_of(model.motion).in_space();
+  if (in_space ? !model.wheels : model.input == BodyModel::Input::commanded)
+    refuse(body, in_space
+                     ? "it moves in space and has no wheels (BodyModel::wheels) that odometry could measure"
+                     : "it is predicted by its commands (BodyModel::Input::commanded), and not by odometry");
+  add_in_order(observed.odometry, {t, input}, body);
 }
 
 void Navigator::add_fix(const Eigen::Vector2d& position, double t, std::size_t body) {
-  pending(body, t).fixes.push_back({t, position});
+  BodyObservation& observed = pending(body, t);
+  const BodyModel& model = estimator_.settings().bodies[body];
+  if (!(model.sigma_fix_m > 0) && model.start_time != BodyModel::StartTime::first_fix)
+    refuse(body, "a position fix needs its sigma, BodyModel::sigma_fix_m");
+  add_in_order(observed.fixes, {t, position}, body);
 }
 
 const TrackingStatus& Navigator::add_image(const ImageView& image, double t, std::size_t body,
                                            std::size_t camera) {
   BodyObservation& observed = pending(body, t);
-  if (observed.images.size() <= camera) observed.images.resize(camera + 1);
-  observed.images[camera] = copy_of(image);
+  auto copy = copy_of(image);
+  const auto cameras = static_cast<std::size_t>(std::ranges::count_if(
+      estimator_.cameras(), [&](const FeatureTracker& own) { return own.camera().body == body; }));
+  if (camera >= cameras)
+    refuse(body, "an image of camera " + std::to_string(camera) + ": there are " + std::to_string(cameras) +
+                     ", counted from 0");
+  observed.images.resize(cameras);
+  observed.images[camera] = std::move(copy);
   return advance(t);
 }
 
@@ -64,8 +109,14 @@ const TrackingStatus& Navigator::advance(double t) {
   pending(0, t);
   const Tick tick{tick_.frame + 1, t, tick_ ? t - tick_.t : 0};
   Observation observation;
-  observation.bodies.resize(pending_.bodies.size());
-  observation.bodies.swap(pending_.bodies);
+  for (BodyObservation& later : pending_.bodies) {
+    BodyObservation& now = observation.bodies.emplace_back();
+    now.odometry = taken_until(later.odometry, t);
+    now.fixes = taken_until(later.fixes, t);
+    now.images = std::exchange(later.images, {});
+    now.landmarks = std::exchange(later.landmarks, {});
+    now.vehicles = std::exchange(later.vehicles, {});
+  }
   estimator_.update(estimate_, command_, observation, tick);
   tick_ = tick;
   return estimate_.status;

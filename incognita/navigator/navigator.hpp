@@ -5,8 +5,9 @@
 //   navigator.add_detections(detections, t);
 //   const BodyPose pose = navigator.pose();
 //
-// Times are in seconds on any one clock and must not decrease. Odometry and position fixes are kept and used at their
-// own times by the next call that advances the estimate: add_image(), add_detections() or advance().
+// Times are in seconds on any one clock and must not be before the estimate's. Odometry and position fixes are kept, each in
+// time order, and used at their own times by the call that advances the estimate beyond them: add_image(),
+// add_detections() or advance().
 #pragma once
 
 #include <Eigen/Core>
@@ -47,7 +48,8 @@ class Navigator {
  public:
   explicit Navigator(SlamEstimator estimator);
 
-  // Measurements. All throw std::invalid_argument for a body that does not exist, and for a time before the estimate's.
+  // Measurements. All throw std::invalid_argument for a body or a sensor that does not exist, for a time that is not finite or
+  // before the estimate's, and for a measurement that the model of the body does not use.
 
   /// `input`: as the motion model of the body takes it, e.g. m/s and rad/s; held until the next.
   void add_odometry(const Eigen::Vector2d& input, double t, std::size_t body = 0);

@@ -47,6 +47,15 @@ TEST(PoseNees, OmitsComponentsThatAreNotStates) {
   EXPECT_FALSE(pose_nees(PoseError::Zero(), line));
 }
 
+TEST(PoseNees, OfAFilterOnAPlaneOmitsTheHeightOfUnevenGround) {
+  PoseCovariance P = PoseCovariance::Zero();
+  P(0, 0) = P(1, 1) = P(5, 5) = 1;
+  const PoseError e = (PoseError() << 2, 0, 0.3, 0.01, -0.02, 1).finished();
+  EXPECT_NEAR(*pose_nees(e, P), 5.0 / 3, 1e-12);
+  EXPECT_FALSE(beyond_three_sigma(e.head<3>(), P.topLeftCorner<3, 3>()));
+  EXPECT_TRUE(beyond_three_sigma(2 * e.head<3>(), P.topLeftCorner<3, 3>())) << "4 sigma in x";
+}
+
 /// On uneven ground position and heading determine the other components: six errors with rank 3.
 TEST(PoseNees, UsesPositionAndHeadingOnUnevenGround) {
   Eigen::Matrix<double, 6, 3> J;

@@ -353,7 +353,7 @@ TEST(SteeringRefusals, AConstantInputBeyondTheLimits) {
   s.input = vec({0.1, 2});
   EXPECT_EQ(why_not(drive, s), "(none)") << "without limits";
   s.most_input = vec({1, 1});
-  EXPECT_HAS(why_not(drive, s), "more than the vehicle can do");
+  EXPECT_HAS(why_not(drive, s), "exceeds what the vehicle can do");
 }
 
 /// The keys of a law's gains, and a path for it.

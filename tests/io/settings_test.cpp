@@ -278,6 +278,18 @@ TEST(LoadScenario, NamesAllFaultsAtOnce) {
   EXPECT_HAS(text, "--set: world.type = x");
 }
 
+/// A word of the file need not fit the choices that replace it.
+TEST(LoadScenario, ReplacesWordsThatDoNotFitOtherReplacements) {
+  const std::string points =
+      "[world]\ntype = \"points\"\n[vehicle]\nmodel = \"differential-drive\"\n[sensor]\n"
+      "type = \"range-bearing\"\n";
+  const std::vector<std::string> room = {"world.type=room", "vehicle.model=terrain", "sensor.type=camera",
+                                         "start.from=free"};
+  EXPECT_EQ(complaint(points, room), "(none)");
+  EXPECT_HAS(complaint(points, {"world.type=room", "vehicle.model=terrain"}),
+             "sensor.type = \"range-bearing\": must be");
+}
+
 TEST(LoadScenario, RefusesContradictions) {
   struct Case {
     const char *text, *part;

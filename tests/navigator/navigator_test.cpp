@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -82,6 +83,87 @@ TEST(Navigator, ReadsImagesWithAStride) {
   EXPECT_EQ(strided.belief.dense_covariance(), whole.belief.dense_covariance());
 }
 
+TEST(Navigator, UsesReadingsAtTheirOwnTimes) {
+  Navigator navigator{SlamEstimator(one_vehicle())};
+  navigator.advance(0);
+  navigator.add_odometry({1, 0}, 0);
+  navigator.add_odometry({0, 0}, 1);  // comes before detections that were made earlier
+  navigator.add_fix({1, 0}, 1.5);
+  navigator.advance(0.98);
+  EXPECT_NEAR(navigator.pose().pose.position.x(), 0.98, 1e-12);
+  EXPECT_TRUE(navigator.estimate().last.fixes.empty());
+  navigator.advance(2);
+  EXPECT_NEAR(navigator.pose().pose.position.x(), 1, 0.01);
+  EXPECT_EQ(navigator.estimate().last.fixes.size(), 1u);
+}
+
+TEST(Navigator, PredictsABodyInSpaceWithoutInput) {
+  EstimatorSettings settings;
+  SmallVector at = SmallVector::Zero(13);
+  at[3] = 1, at[7] = 0.5;  // m/s along x
+  settings.bodies.push_back(body_with_sensor(FreeCameraMotion{}, CameraSensor{}, at,
+                                             SmallVector::Constant(12, 0.01), SmallVector::Constant(6, 0.1),
+                                             SmallVector::Constant(2, 1)));
+  Navigator navigator{SlamEstimator(settings)};
+  navigator.advance(0);
+  const double before = navigator.pose().covariance(0, 0);
+  navigator.advance(1);
+  EXPECT_NEAR(navigator.pose().pose.position.x(), 0.5, 1e-12);
+  EXPECT_GT(navigator.pose().covariance(0, 0), 2 * before);
+}
+
+TEST(Navigator, StartsAtFixesOfDifferentTimes) {
+  EstimatorSettings settings = one_vehicle();
+  settings.bodies.push_back(settings.bodies[0]);
+  for (BodyModel& body : settings.bodies) body.start_time = BodyModel::StartTime::first_fix;
+  Navigator navigator{SlamEstimator(settings)};
+  navigator.add_fix({1, 2}, 0, 0);
+  EXPECT_EQ(navigator.advance(0).state, TrackingState::starting);
+  navigator.add_fix({5, 6}, 0.5, 1);
+  EXPECT_EQ(navigator.advance(0.5).state, TrackingState::tracking);
+  EXPECT_EQ(navigator.pose(0).pose.position.head<2>(), Eigen::Vector2d(1, 2));
+  EXPECT_NEAR((navigator.pose(1).pose.position.head<2>() - Eigen::Vector2d(5, 6)).norm(), 0, 1e-12);
+}
+
+/// The images of two cameras on one body come one after the other.
+TEST(Navigator, StartsWithImagesOfDifferentTimes) {
+  Image image(320, 240);
+  for (int v = 0; v < 240; ++v)
+    for (int u = 0; u < 320; ++u)
+      image(u, v) = static_cast<std::uint8_t>(((u / 16) * 7919 + (v / 16) * 104729) % 211 + 20);
+  const CameraSlamSettings s;
+  EstimatorSettings settings;
+  settings.bodies.push_back(free_camera_body(s.filter));
+  std::vector<FeatureTracker> cameras;
+  cameras.emplace_back(WideAngleCamera{}, s, CameraPlacement{}, 1);
+  cameras.emplace_back(WideAngleCamera{}, s, CameraPlacement{.mount = Mount{.up_m = 0}}, 2);
+  Navigator navigator{SlamEstimator(std::move(settings), std::move(cameras))};
+  const ImageView view{image.row(0), 320, 240, 320};
+  for (int k = 0; k < 6; ++k) navigator.add_image(view, k / 30.0, 0, static_cast<std::size_t>(k % 2));
+  EXPECT_EQ(navigator.status().state, TrackingState::tracking) << navigator.status().reason;
+  int of_camera[2] = {0, 0};
+  for (const auto& [id, landmark] : navigator.estimate().landmarks)
+    if (landmark.camera >= 0) ++of_camera[landmark.camera];
+  EXPECT_GT(of_camera[0], 4);
+  EXPECT_GT(of_camera[1], 4);
+}
+
+/// Ticks between images are no frames without matches.
+TEST(Navigator, MayAdvanceMoreOftenThanImagesCome) {
+  Image image(320, 240);
+  for (int v = 0; v < 240; ++v)
+    for (int u = 0; u < 320; ++u)
+      image(u, v) = static_cast<std::uint8_t>(((u / 16) * 7919 + (v / 16) * 104729) % 211 + 20);
+  Navigator navigator(single_camera(WideAngleCamera{}, std::nullopt, {}, 10, 1));
+  for (int k = 0; k <= 100; ++k) {
+    if (k % 20 == 0) navigator.add_image({image.row(0), 320, 240, 320}, 0.005 * k);
+    navigator.advance(0.005 * k);
+    EXPECT_NE(navigator.status().state, TrackingState::lost) << k;
+  }
+  for (int k = 101; k < 400; ++k) navigator.advance(0.005 * k);
+  EXPECT_EQ(navigator.status().state, TrackingState::lost) << "the camera failed";
+}
+
 std::string refusal(const std::function<void(Navigator&)>& act) {
   Navigator navigator{SlamEstimator(one_vehicle())};
   navigator.advance(3);
@@ -108,6 +190,36 @@ TEST(Navigator, RefusesInvalidCalls) {
             }).find("stride of 3"),
             std::string::npos);
   EXPECT_THROW(Navigator{SlamEstimator(one_vehicle())}.pose(), std::logic_error) << "not started";
+}
+
+TEST(Navigator, RefusesMeasurementsThatNoModelUses) {
+  const std::uint8_t pixels[16] = {};
+  const auto expect_refused = [](const std::function<void(Navigator&)>& act, const char* because) {
+    EXPECT_NE(refusal(act).find(because), std::string::npos) << refusal(act);
+  };
+  expect_refused([&](Navigator& n) { n.add_image({pixels, 4, 4, 4}, 4); }, "there are 0");
+  expect_refused([](Navigator& n) { n.add_odometry({0, 0}, std::nan("")); }, "a time in s is needed");
+  expect_refused(
+      [](Navigator& n) {
+        n.add_odometry({0, 0}, 5);
+        n.add_odometry({0, 0}, 4);
+      },
+      "in time order");
+  expect_refused(
+      [](Navigator& n) {
+        n.add_detections({{1, Eigen::Vector2d(3, 0), 1}}, 4);
+      },
+      "point sensor 2, but it has 1");
+  expect_refused([](Navigator& n) { n.add_detections({}, 4, 0, {{-1, Eigen::Vector2d(3, 0)}}); }, "body 0");
+  expect_refused(
+      [](Navigator& n) {
+        n.add_detections({{2'000'000'000, Eigen::Vector2d(3, 0)}}, 4);
+      },
+      "must be below");
+  EstimatorSettings settings = one_vehicle();
+  settings.bodies[0].sigma_fix_m = 0;
+  Navigator without_fixes{SlamEstimator(settings)};
+  EXPECT_THROW(without_fixes.add_fix({0, 0}, 1), std::invalid_argument);
 }
 
 }  // namespace

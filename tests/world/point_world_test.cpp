@@ -227,6 +227,35 @@ TEST(PointWorld, MovesEachVehicleAsCommandedAndReportsWhatItApplied) {
               1e-12);
 }
 
+/// The detections of a body's second sensor say so, and follow those of the first.
+TEST(PointDetector, MayBeOneOfSeveralOnABody) {
+  const SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0}));
+  const PointTargets targets{ring(4, 3), false, std::set<std::int64_t>{}};
+  const auto associations = std::make_shared<AssociationTruth>(1);
+  SimulatedWorld world = point_world({v}, 1);
+  SimulatedPointSensor second{BearingSensor{}, vec({0})};
+  std::vector<BodySensors> bodies;
+  bodies.push_back(sensors_of_body(
+      std::make_unique<PointDetector>(v.body.motion, v.sensor, targets, 1, "first", associations),
+      std::make_unique<PointDetector>(v.body.motion, second, targets, 1, "second", associations, 1)));
+  SensorSet sensors(std::move(bodies));
+  for (int k = 0; k < 2; ++k) {
+    const Tick tick{k, 0.1 * k, k == 0 ? 0 : 0.1};
+    const Observation observation = sensors.measure(world.move({}, tick), tick);
+    const auto& seen = observation.bodies[0].landmarks;
+    ASSERT_EQ(seen.size(), 8u);
+    ASSERT_EQ(associations->at(0).size(), 8u);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      EXPECT_EQ(seen[i].sensor, i < 4 ? 0 : 1);
+      EXPECT_EQ(seen[i].z.size(), i < 4 ? 2 : 1);
+      EXPECT_NEAR(wrap_angle(std::atan2(targets.landmarks.at(associations->at(0)[i]).y(),
+                                        targets.landmarks.at(associations->at(0)[i]).x()) -
+                             seen[i].z[seen[i].z.size() - 1]),
+                  0, 1e-9);
+    }
+  }
+}
+
 TEST(PointDetector, WithholdsIdentitiesOutsideItsList) {
   const SimulatedVehicle v = vehicle(DifferentialDrive{}, RangeBearingSensor{}, vec({0, 0, 0.3}));
   const auto measurement = [&](const PointLandmarks& place) {

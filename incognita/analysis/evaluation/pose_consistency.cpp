@@ -23,14 +23,15 @@ PoseNumbers numbers(const StampedPose& pose) {
 }
 
 /// Normalized square of the given components, except those with unknown error (NaN) and those exact by
-/// construction, as the height on a plane (error and variance 0).
+/// construction (error and variance 0). `on_plane`: also without height, roll and pitch.
 template <int N>
 std::optional<NormalizedSquare> normalized_square(const Eigen::Matrix<double, N, 1>& e,
                                                   const Eigen::Matrix<double, N, N>& P,
-                                                  std::initializer_list<int> components) {
+                                                  std::initializer_list<int> components, bool on_plane) {
   std::vector<int> states;
   for (const int i : components)
-    if (!std::isnan(e[i]) && !(e[i] == 0 && P(i, i) == 0)) states.push_back(i);
+    if (!std::isnan(e[i]) && !(e[i] == 0 && P(i, i) == 0) && !(on_plane && i >= 2 && i <= 4))
+      states.push_back(i);
   if (states.empty()) return std::nullopt;
   const Eigen::MatrixXd part = P(states, states);
   const Eigen::LLT<Eigen::MatrixXd> factor(part);
@@ -56,10 +57,12 @@ PoseError pose_error(const StampedPose& truth, const StampedPose& estimate) {
 
 std::optional<NormalizedSquare> pose_normalized_square(const PoseError& error,
                                                        const PoseCovariance& covariance) {
-  auto square = normalized_square<6>(error, covariance, {0, 1, 2, 3, 4, 5});
+  // A filter on a plane has no such states, and true uneven ground does not make them an error of it
+  const bool on_plane = covariance.diagonal().segment<3>(2).isZero(0);
+  auto square = normalized_square<6>(error, covariance, {0, 1, 2, 3, 4, 5}, on_plane);
   // False if height, roll and pitch are no states
   const bool follow = (covariance.diagonal().segment<3>(2).array() > 0).all();
-  if (!square && follow) square = normalized_square<6>(error, covariance, {0, 1, 5});
+  if (!square && follow) square = normalized_square<6>(error, covariance, {0, 1, 5}, false);
   return square;
 }
 
@@ -70,8 +73,8 @@ std::optional<double> pose_nees(const PoseError& error, const PoseCovariance& co
 }
 
 bool beyond_three_sigma(const Eigen::Vector3d& error, const Eigen::Matrix3d& covariance) {
-  auto square = normalized_square<3>(error, covariance, {0, 1, 2});
-  if (!square && covariance(2, 2) > 0) square = normalized_square<3>(error, covariance, {0, 1});
+  auto square = normalized_square<3>(error, covariance, {0, 1, 2}, covariance(2, 2) == 0);
+  if (!square && covariance(2, 2) > 0) square = normalized_square<3>(error, covariance, {0, 1}, false);
   if (!square) return !error.isZero();
   return square->sum > three_sigma_chi_square[square->degrees_of_freedom];
 }

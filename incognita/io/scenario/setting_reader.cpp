@@ -37,7 +37,8 @@ void SettingReader::read(const Setting& setting) {
   if (!follows_.empty()) follow(setting, source);
   const std::string default_value = setting.written();
   if (const auto given = given_.find(setting.key); given != given_.end())
-    for (const GivenValue& value : given->second) assign_given(setting, value, source);
+    for (std::size_t i = 0; i < given->second.size(); ++i)
+      assign_given(setting, given->second[i], i + 1 < given->second.size(), source);
   settings_.push_back({setting.key, setting.written(), default_value, source, setting.unit, setting.allowed(),
                        setting.help, options_of(setting),
                        std::holds_alternative<std::string*>(setting.field) &&
@@ -58,7 +59,9 @@ void SettingReader::follow(const Setting& setting, std::string& source) {
   }
 }
 
-void SettingReader::assign_given(const Setting& setting, const GivenValue& given, std::string& source) {
+/// A word that is replaced by a later value need not fit the choices of the scenario, which are those of the later values.
+void SettingReader::assign_given(const Setting& setting, const GivenValue& given, bool is_replaced,
+                                 std::string& source) {
   const auto* from_file = std::get_if<TomlValue>(&given.value);
   const std::string before = setting.written();
   try {
@@ -67,6 +70,7 @@ void SettingReader::assign_given(const Setting& setting, const GivenValue& given
     else
       assign_text(setting, std::get<std::string>(given.value));
   } catch (const BadValue& bad) {
+    if (is_replaced && !setting.words.empty()) return;
     refused_choice_ |= decides(setting);
     if (!setting.words.empty())
       refused_words_[setting.key] = {

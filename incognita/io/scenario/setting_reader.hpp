@@ -144,7 +144,7 @@ class SettingReader {
 
   void read(const Setting& setting);
   void follow(const Setting& setting, std::string& source);
-  void assign_given(const Setting& setting, const GivenValue& given, std::string& source);
+  void assign_given(const Setting& setting, const GivenValue& given, bool is_replaced, std::string& source);
 
   const GivenValues& given_;
   std::string section_, follows_, default_source_ = "default";

@@ -170,6 +170,7 @@ void check_form(const Scenario& s, List& found) {
   const MotionTraits& motion = s.motion();
   if (!motion.on_line()) check("start.sigma_heading_rad", s.team_start.sigma_heading_rad);
   if (!motion.in_space()) return;
+  check("start.sigma_height_m", s.team_start.sigma_height_m);
   check("start.sigma_velocity_m_s", s.slam.filter.sigma_start_velocity_m_s);
   check("start.sigma_angular_rate_rad_s", s.slam.filter.sigma_start_angular_rate_rad_s);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "incognita/models/motion/planar_frame.hpp"
 #include "incognita/slam/mapper/bodies.hpp"
@@ -22,10 +23,13 @@ std::string problem_of_camera(const FeatureTracker& camera, const EstimatorSetti
     return "a camera is on body " + std::to_string(c.body + 1) + ", which does not exist";
   if (!c.mount && !std::holds_alternative<FreeCameraMotion>(s.bodies[c.body].motion))
     return "a camera on a vehicle needs its mount";
+  if (c.mount && camera.has_target())
+    return "a camera on a mount does not start from a target, which gives the pose of the camera and not of its vehicle: "
+           "start from the pose of the vehicle";
   if (s.filter.map_frame == MapFrame::vehicle)
     return "estimator.map_frame = `vehicle`: images are tracked in a map in the world frame; take `world`";
   if (s.filter.linearization == Linearization::first_estimate)
-    return "first-estimate Jacobians are derived for ranges and bearings on a plane only, not for images";
+    return "first-estimate Jacobians are derived for ranges and bearings on a plane only, not for images; take `analytic`";
   return "";
 }
 
@@ -47,22 +51,51 @@ SlamEstimator::SlamEstimator(EstimatorSettings settings, std::vector<FeatureTrac
 
 namespace {
 
-void check_size(const Observation& observation, std::size_t bodies) {
-  if (observation.bodies.empty() || observation.bodies.size() == bodies) return;
-  throw std::invalid_argument("observations of " + std::to_string(observation.bodies.size()) +
-                              " vehicles were given to an estimator of " + std::to_string(bodies));
+void check_detections(const BodyObservation& observed, std::size_t body, const EstimatorSettings& s) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument("a detection of body " + std::to_string(body + 1) + why);
+  };
+  const auto check_sensor = [&](const PointDetection& d) {
+    const std::size_t sensors = s.bodies[body].sensors.size();
+    if (d.sensor < 0 || static_cast<std::size_t>(d.sensor) >= sensors)
+      refuse(" is of its point sensor " + std::to_string(d.sensor + 1) + ", but it has " +
+             std::to_string(sensors));
+  };
+  const bool by_identity = s.association.method == DataAssociationSettings::Method::known;
+  for (const PointDetection& d : observed.landmarks) {
+    check_sensor(d);
+    if (by_identity && d.identity >= first_feature_number)
+      refuse(" has the identity " + std::to_string(d.identity) + "; identities must be below " +
+             std::to_string(first_feature_number));
+  }
+  for (const PointDetection& d : observed.vehicles) {
+    check_sensor(d);
+    if (d.identity < 0 || static_cast<std::size_t>(d.identity) >= s.bodies.size())
+      refuse(" is of body " + std::to_string(d.identity + 1) + ", but there are " +
+             std::to_string(s.bodies.size()));
+  }
+}
+
+/// Before anything changes: an observation that is refused leaves the estimate as it was.
+void check(const Observation& observation, const EstimatorSettings& s) {
+  if (observation.bodies.empty()) return;
+  if (observation.bodies.size() != s.bodies.size())
+    throw std::invalid_argument("observations of " + std::to_string(observation.bodies.size()) +
+                                " vehicles were given to an estimator of " + std::to_string(s.bodies.size()));
+  for (std::size_t i = 0; i < s.bodies.size(); ++i) check_detections(observation.bodies[i], i, s);
 }
 
 }  // namespace
 
 void SlamEstimator::update(Estimate& e, const Command& command, const Observation& observation,
                            const Tick& tick) {
-  check_size(observation, settings_.bodies.size());
+  check(observation, settings_);
   StageClock stage(e.timing_ms);
   e.last.restart();
   if (!e.first_t) e.first_t = tick.t;
   see(observation);
   stage.mark("sums");
+  const int frames = count_frames(tick);
   const bool starts = !e.started;
   if (starts) start(e, observation, tick);
   stage.mark("start");
@@ -81,14 +114,23 @@ void SlamEstimator::update(Estimate& e, const Command& command, const Observatio
   if (was_lost)
     relocate(e, corrected);
   else if (tracks || cameras_.empty())
-    assess(e);
+    assess(e, frames);
   stage.mark("poses");
-  if (tracks && !was_lost && e.status.state != TrackingState::lost && e.health.frames_with_few == 0)
-    for (FeatureTracker& camera : cameras_) camera.maintain_map(e);
+  if (tracks && !was_lost && e.status.state != TrackingState::lost) maintain_maps(e);
   report(e);
   stage.mark("map");
   refresh_entropy(e, tick.t);
   stage.mark("entropy");
+}
+
+/// Maps of the cameras: those without one start it with their first image, the others need enough matches.
+void SlamEstimator::maintain_maps(Estimate& e) {
+  for (FeatureTracker& camera : cameras_) {
+    if (!camera.has_map() && camera.has_image())
+      camera.start_map(e, {}, motion_of(camera));
+    else if (e.health.frames_with_few == 0)
+      camera.maintain_map(e);
+  }
 }
 
 void SlamEstimator::see(const Observation& observation) {
@@ -100,19 +142,39 @@ void SlamEstimator::see(const Observation& observation) {
   }
 }
 
+/// Frames of the cameras at this tick: 1 with an image. Ticks may be more frequent than images; without one, the frames that are
+/// overdue by the period of the last images, as of a camera that failed.
+int SlamEstimator::count_frames(const Tick& tick) {
+  if (cameras_.empty()) return 0;
+  if (std::ranges::any_of(cameras_, &FeatureTracker::has_image)) {
+    if (image_t_ && missed_frames_ == 0) image_period_s_ = tick.t - *image_t_;
+    image_t_ = tick.t;
+    missed_frames_ = 0;
+    return 1;
+  }
+  if (!image_t_ || !(image_period_s_ > 0)) return 1;
+  const int missed = static_cast<int>(std::min(1e6, (tick.t - *image_t_) / image_period_s_ + 1e-6));
+  return missed - std::exchange(missed_frames_, missed);
+}
+
 // ---- Start
 
 namespace {
 
-double start_time(const BodyModel& model, const BodyObservation& observed, double t) {
-  if (model.start_time == BodyModel::StartTime::first_fix) return observed.fixes.front().t;
+double start_time(const BodyModel& model, const BodyObservation& observed,
+                  const std::optional<PositionReading>& fix, double t) {
+  if (model.start_time == BodyModel::StartTime::first_fix) return fix->t;
   if (model.start_time == BodyModel::StartTime::first_reading && !observed.odometry.empty())
     return std::min(t, observed.odometry.front().t);
   return t;
 }
 
-bool waits_for_fix(const BodyModel& model, const BodyObservation& observed) {
-  return model.start_time == BodyModel::StartTime::first_fix && observed.fixes.empty();
+/// The mean of the readings of a tick.
+std::optional<Eigen::Vector2d> mean_input(const std::vector<Odometry>& readings) {
+  if (readings.empty()) return std::nullopt;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Odometry& reading : readings) sum += reading.input;
+  return sum / static_cast<double>(readings.size());
 }
 
 void add_anchors(Estimate& e, const std::map<std::int64_t, SmallVector>& anchors) {
@@ -127,21 +189,53 @@ void add_anchors(Estimate& e, const std::map<std::int64_t, SmallVector>& anchors
 
 }  // namespace
 
+bool SlamEstimator::has_target(std::size_t body) const {
+  return std::ranges::any_of(cameras_, [&](const FeatureTracker& camera) {
+    return camera.camera().body == body && camera.has_target();
+  });
+}
+
+/// Whether each body that has to wait for a position fix has one, now or from an earlier tick.
+bool SlamEstimator::has_first_fixes(const Observation& observation) {
+  first_fixes_.resize(settings_.bodies.size());
+  bool all = true;
+  for (std::size_t i = 0; i < settings_.bodies.size(); ++i) {
+    if (settings_.bodies[i].start_time != BodyModel::StartTime::first_fix) continue;
+    if (const auto& fixes = body_of(observation, i).fixes; !fixes.empty()) first_fixes_[i] = fixes.front();
+    all = all && first_fixes_[i];
+  }
+  return all;
+}
+
+/// Whether each body with cameras can start: one of its cameras finds the target in its image or, if none of them has a target,
+/// has had an image, now or at an earlier tick.
+bool SlamEstimator::has_camera_starts(Estimate& e, double waited_s) {
+  starts_.resize(cameras_.size());
+  std::vector<bool> ready(settings_.bodies.size(), false);
+  for (std::size_t k = 0; k < cameras_.size(); ++k) {
+    const FeatureTracker& camera = cameras_[k];
+    const std::size_t body = camera.camera().body;
+    FeatureTracker::Start start = camera.find_start(waited_s);
+    if (camera.has_target() || start.ready || !starts_[k].ready) starts_[k] = std::move(start);
+    if (starts_[k].ready && (camera.has_target() || !has_target(body))) ready[body] = true;
+  }
+  bool all = true;
+  for (std::size_t k = 0; all && k < cameras_.size(); ++k) {
+    all = ready[cameras_[k].camera().body];
+    if (starts_[k].given_up && !all) e.status.state = TrackingState::lost;
+    if (!all || starts_[k].pose || k == 0) e.status.reason = starts_[k].reason;
+  }
+  return all;
+}
+
 /// Starts all bodies at the same tick, since landmarks follow the bodies in the belief.
 void SlamEstimator::start(Estimate& e, const Observation& observation, const Tick& tick) {
   e.status.state = TrackingState::starting;
-  for (std::size_t i = 0; i < settings_.bodies.size(); ++i)
-    if (waits_for_fix(settings_.bodies[i], body_of(observation, i))) {
-      e.status.reason = "waiting for the first position fix";
-      return;
-    }
-  std::vector<FeatureTracker::Start> starts;
-  for (const FeatureTracker& camera : cameras_) {
-    starts.push_back(camera.find_start(tick.t - *e.first_t));
-    e.status.reason = starts.back().reason;
-    if (starts.back().given_up) e.status.state = TrackingState::lost;
-    if (!starts.back().ready) return;
+  if (!has_first_fixes(observation)) {
+    e.status.reason = "waiting for the first position fix";
+    return;
   }
+  if (!has_camera_starts(e, tick.t - *e.first_t)) return;
   const bool traced = e.belief.keeps_trace();
   e.belief = empty_belief(settings_.filter);
   e.bodies.clear();
@@ -150,29 +244,30 @@ void SlamEstimator::start(Estimate& e, const Observation& observation, const Tic
   e.health = {};
   e.belief.keep_trace(traced);
   add_anchors(e, settings_.anchors);
-  add_bodies(e, observation, tick, starts);
+  if (!cameras_.empty() && settings_.association.method == DataAssociationSettings::Method::known)
+    if (std::ranges::any_of(settings_.bodies, [](const BodyModel& body) { return !body.sensors.empty(); }))
+      e.next_id = first_feature_number;
+  add_bodies(e, observation, tick);
   e.started = true;
   e.status.state = TrackingState::tracking;
   if (cameras_.empty()) e.status.reason.clear();
   for (std::size_t k = 0; k < cameras_.size(); ++k)
-    cameras_[k].start_map(e, starts[k].pose, motion_of(cameras_[k]));
+    if (cameras_[k].has_image()) cameras_[k].start_map(e, starts_[k].pose, motion_of(cameras_[k]));
 }
 
-void SlamEstimator::add_bodies(Estimate& e, const Observation& observation, const Tick& tick,
-                               const std::vector<FeatureTracker::Start>& starts) const {
+void SlamEstimator::add_bodies(Estimate& e, const Observation& observation, const Tick& tick) const {
   for (std::size_t i = 0; i < settings_.bodies.size(); ++i) {
     const BodyModel& model = settings_.bodies[i];
     SmallVector at = model.start;
     SmallMatrix P = model.start_sigmas.cwiseAbs2().asDiagonal();
-    if (model.start_time == BodyModel::StartTime::first_fix)
-      at.head<2>() = body_of(observation, i).fixes.front().position;
+    if (model.start_time == BodyModel::StartTime::first_fix) at.head<2>() = first_fixes_[i]->position;
     for (std::size_t k = 0; k < cameras_.size(); ++k) {
-      if (cameras_[k].camera().body != i || !starts[k].pose) continue;
-      at.head<3>() = starts[k].pose->position;
-      at.segment<4>(3) = starts[k].pose->world_from_camera;
-      P.topLeftCorner<6, 6>() = starts[k].pose->covariance;
+      if (cameras_[k].camera().body != i || !starts_[k].pose) continue;
+      at.head<3>() = starts_[k].pose->position;
+      at.segment<4>(3) = starts_[k].pose->world_from_camera;
+      P.topLeftCorner<6, 6>() = starts_[k].pose->covariance;
     }
-    add_body(e, model, at, P, start_time(model, body_of(observation, i), tick.t),
+    add_body(e, model, at, P, start_time(model, body_of(observation, i), first_fixes_[i], tick.t),
              settings_.filter.map_frame == MapFrame::vehicle);
   }
 }
@@ -189,16 +284,15 @@ SmallVector commanded_input(const Command& command, std::size_t body, const AnyM
 
 }  // namespace
 
-/// `waits_in_place`: bodies with cameras stay where they were lost.
+/// `waits_in_place`: bodies that only have cameras stay where they were lost.
 void SlamEstimator::predict(Estimate& e, const Command& command, const Observation& observation,
                             const Tick& tick, bool waits_in_place) {
   for (std::size_t i = 0; i < e.bodies.size(); ++i) {
     const BodyObservation& observed = body_of(observation, i);
     const BodyModel& model = settings_.bodies[i];
     e.bodies[i].wheels.reset();
-    if (traits_of(model.motion).in_space() && !observed.odometry.empty())
-      e.bodies[i].wheels = observed.odometry.back().input;
-    if (waits_in_place && carries_camera(i))
+    if (traits_of(model.motion).in_space()) e.bodies[i].wheels = mean_input(observed.odometry);
+    if (waits_in_place && carries_camera(i) && model.sensors.empty())
       e.bodies[i].t = tick.t;
     else
       predict_body(e, i, commanded_input(command, i, model.motion), observed, tick, settings_);
@@ -218,15 +312,13 @@ void SlamEstimator::match_images(Estimate& e, bool was_lost, StageClock& stage) 
   stage.mark("search");
   for (FeatureTracker& camera : cameras_) camera.add_plane_uncertainty();
   stage.mark("planes");
-  int matched = 0, searched = 0;
   for (FeatureTracker& camera : cameras_) {
     camera.reject_outliers(e);
-    matched += camera.matched();
-    searched += camera.camera().settings.search.max_measurements;
+    const int enough =
+        std::min(settings_.health.min_matches_to_relocate, camera.camera().settings.search.max_measurements);
+    if (was_lost && camera.matched() < enough) camera.discard_matches();
   }
   stage.mark("consensus");
-  if (!was_lost || matched >= std::min(settings_.health.min_matches_to_relocate, searched)) return;
-  for (FeatureTracker& camera : cameras_) camera.discard_matches();
 }
 
 // ---- Correction
@@ -268,24 +360,31 @@ void SlamEstimator::update_map(Estimate& e, StageClock& stage) {
 
 // ---- Health
 
-void SlamEstimator::assess(Estimate& e) {
+/// `frames`: of this tick, see count_frames().
+void SlamEstimator::assess(Estimate& e, int frames) {
   for (FeatureTracker& camera : cameras_) {
+    if (!camera.has_image()) continue;
     camera.count_frames_away();
     e.last.predicted += camera.camera().predicted;
   }
-  e.status = incognita::assess(e, !cameras_.empty(), settings_);
+  e.status = incognita::assess(e, frames, settings_);
   if (e.status.state == TrackingState::lost && !cameras_.empty()) search_around_last_pose(e);
 }
 
-/// From lost: the estimate is relocated once it was corrected by enough matches and is certain again.
+/// From lost: the estimate is relocated once it was corrected by enough matches and is certain again. A body with a camera and
+/// another sensor may also find its way back by that sensor.
 void SlamEstimator::relocate(Estimate& e, bool corrected) {
   for (const FeatureTracker& camera : cameras_) e.last.predicted += camera.camera().predicted;
-  if (!corrected || e.last.image_matches == 0) return;
+  const bool recognized =
+      e.last.image_matches > 0 || std::ranges::any_of(inliers_.indices, [&](std::size_t i) {
+        return carries_camera(static_cast<std::size_t>(e.last.matches[i].body));
+      });
+  if (!corrected || !recognized) return;
   const bool certain = std::all_of(e.bodies.begin(), e.bodies.end(), [&](const Body& body) {
     return sigma_position(body) <= settings_.health.max_sigma_position_m;
   });
   if (certain) {
-    e.status = {TrackingState::relocated, std::to_string(e.last.image_matches) + " features matched again"};
+    e.status = {TrackingState::relocated, std::to_string(e.last.matched) + " features matched again"};
     e.health = {};
     return;
   }
@@ -309,7 +408,6 @@ void SlamEstimator::search_around_last_pose(Estimate& e) {
 void SlamEstimator::report(Estimate& e) const {
   e.last.predicted += static_cast<int>(e.last.matches.size());
   for (const FeatureTracker& camera : cameras_) {
-    e.last.visible += static_cast<int>(camera.camera().matches.size());
     camera.append_matches(e.last.matches);
   }
 }

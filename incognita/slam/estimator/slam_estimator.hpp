@@ -30,8 +30,8 @@ class SlamEstimator final : public Estimator {
   FeatureTracker& camera(std::size_t index) { return cameras_.at(index); }
 
   /// Advances the estimate from the previous tick to this one. `observation.bodies` has one entry per body, in the order
-  /// of the settings; throws std::invalid_argument when their number differs, and for an image whose size is not that of
-  /// its camera. `command`: since the previous tick, for bodies that are predicted by it. The appearance of the
+  /// of the settings. Throws std::invalid_argument, and changes nothing, when their number differs, for an image whose size
+  /// is not that of its camera, and for a detection of a sensor or a body that does not exist. `command`: since the previous tick, for bodies that are predicted by it. The appearance of the
   /// landmarks is kept here: an estimator goes with one estimate.
   void update(Estimate& estimate, const Command& command, const Observation& observation,
               const Tick& tick) override;
@@ -39,15 +39,19 @@ class SlamEstimator final : public Estimator {
  private:
   void see(const Observation& observation);
   void start(Estimate& estimate, const Observation& observation, const Tick& tick);
-  void add_bodies(Estimate& estimate, const Observation& observation, const Tick& tick,
-                  const std::vector<FeatureTracker::Start>& starts) const;
+  bool has_target(std::size_t body) const;
+  bool has_first_fixes(const Observation& observation);
+  bool has_camera_starts(Estimate& estimate, double waited_s);
+  void add_bodies(Estimate& estimate, const Observation& observation, const Tick& tick) const;
   void predict(Estimate& estimate, const Command& command, const Observation& observation, const Tick& tick,
                bool waits_in_place);
   bool carries_camera(std::size_t body) const;
   void match_images(Estimate& estimate, bool was_lost, StageClock& stage);
   bool correct(Estimate& estimate);
   void update_map(Estimate& estimate, StageClock& stage);
-  void assess(Estimate& estimate);
+  void maintain_maps(Estimate& estimate);
+  int count_frames(const Tick& tick);
+  void assess(Estimate& estimate, int frames);
   void relocate(Estimate& estimate, bool corrected);
   void search_around_last_pose(Estimate& estimate);
   void report(Estimate& estimate) const;
@@ -59,6 +63,11 @@ class SlamEstimator final : public Estimator {
 
   EstimatorSettings settings_;
   std::vector<FeatureTracker> cameras_;
+  std::vector<FeatureTracker::Start> starts_;                ///< of each camera, until the start
+  std::vector<std::optional<PositionReading>> first_fixes_;  ///< of each body that starts at one
+  std::optional<double> image_t_;                            ///< s, of the last image
+  double image_period_s_ = 1;  ///< between the last two images; assumed before the second
+  int missed_frames_ = 0;      ///< since the last image, at that period
   Inliers inliers_;
   std::vector<LinearizedMeasurement> measurements_;  ///< workspace: inliers of images, then of points
 };

@@ -67,6 +67,7 @@ FeatureTracker::Start FeatureTracker::find_start(double waited_s) const {
 
 void FeatureTracker::start_map(Estimate& estimate, const std::optional<TargetPose>& pose,
                                const AnyMotion& motion) {
+  has_map_ = true;
   camera_.features.clear();
   camera_.view = viewpoint(estimate, camera_, motion);
   for (std::size_t i = 0; pose && i < placement_.target->corners.size(); ++i) {

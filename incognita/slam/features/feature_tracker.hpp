@@ -35,6 +35,8 @@ class FeatureTracker {
   /// std::invalid_argument for an image whose size is not that of the camera.
   void see(const Image* image);
   bool has_image() const { return sees_; }
+  bool has_target() const { return placement_.target.has_value(); }
+  bool has_map() const { return has_map_; }
 
   /// The start pose of the body, or why there is none.
   struct Start {
@@ -60,7 +62,7 @@ class FeatureTracker {
   /// The same, linearized at the current means; without parts where a measurement is not defined.
   void append_relinearized(const Estimate& estimate, const AnyMotion& motion,
                            std::vector<LinearizedMeasurement>& measurements);
-  /// To be called after the correction: the inliers did not correct the filter.
+  /// The inliers do not correct the filter, or did not.
   void discard_matches();
   /// To be called after the correction: takes the corrected viewpoint, and estimates the planes of the patches.
   void after_correction(const Estimate& estimate, const AnyMotion& motion);
@@ -88,6 +90,7 @@ class FeatureTracker {
   CameraPlacement placement_;
   SummedImage summed_;
   bool sees_ = false;
+  bool has_map_ = false;  ///< since start_map()
   RandomStream random_;
 };
 

@@ -42,6 +42,8 @@ void stop_and_search(Estimate& e, std::size_t i, const EstimatorSettings& settin
     sigmas.tail<3>().setConstant(h.sigma_search_rate_rad_s);
   }
   e.belief.predict({e.bodies[i].block, x, A, sigmas.cwiseAbs2().asDiagonal()});
+  e.bodies[i].input.reset();
+  e.bodies[i].input_period = 0;
 }
 
 void decorrelate(Estimate& e, Decorrelation which) {

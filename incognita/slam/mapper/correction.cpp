@@ -22,7 +22,6 @@ void iterate(Estimate& e, std::span<const LinearizedMeasurement> measurements,
   const IterationReport report = update_iterated(e.belief, blocks_of(measurements), relinearize, until);
   e.last.update = report.update;
   e.last.iterations = report.iterations;
-  e.unconverged_updates += !report.converged;
 }
 
 }  // namespace

@@ -79,7 +79,6 @@ struct FrameReport {
   std::vector<UsedFix> fixes;
   int predicted = 0;      ///< landmarks searched for in the images, and detections of the other sensors
   int matched = 0;        ///< matches that updated the filter
-  int visible = 0;        ///< landmarks predicted in view of a camera
   int image_matches = 0;  ///< matches in images that updated the filter
   UpdateReport update;
   bool refused = false;             ///< an update or a fix was not usable within rounding
@@ -99,9 +98,9 @@ struct FrameReport {
 
 /// What the assessment of the status remembers between ticks: health.hpp.
 struct HealthRecord {
-  int frames_with_few = 0;                 ///< consecutive frames of the cameras with too few matches
+  int frames_with_few = 0;                 ///< consecutive ticks with images with too few matches
   int unmatched_ticks = 0;                 ///< consecutive ticks with detections but without a match
-  int doubted_ticks = 0;                   ///< consecutive ticks with large innovations
+  int doubted_ticks = 0;                   ///< consecutive updates with large innovations
   double recent_nis = 0, recent_rows = 0;  ///< weighted sums over updates, forgetting factor 0.9
 };
 
@@ -118,8 +117,6 @@ struct Estimate {
   HealthRecord health;
   Entropy entropy;                  ///< map and total are refreshed about once a second: entropy_period_s()
   std::optional<double> entropy_t;  ///< s, time of their last refresh
-  std::int64_t unconverged_updates = 0;  ///< iterated updates that reached the iteration limit
-  std::int64_t capped_associations = 0;  ///< joint searches that reached the node limit
   FrameReport last;
   std::vector<std::pair<const char*, double>> timing_ms;
 
@@ -135,8 +132,14 @@ struct Estimate {
   }
 };
 
+/// First number of the features of cameras where point sensors report identities, which are smaller.
+inline constexpr std::int64_t first_feature_number = 1'000'000'000;
+
 /// The next number for a landmark without identity.
-inline std::int64_t new_id(Estimate& estimate) { return estimate.next_id++; }
+inline std::int64_t new_id(Estimate& estimate) {
+  while (estimate.landmarks.contains(estimate.next_id)) ++estimate.next_id;
+  return estimate.next_id++;
+}
 
 /// Position of a landmark in the world, in its own dimensions, and its covariance (zero for anchors).
 struct LandmarkPosition {

@@ -56,16 +56,17 @@ std::string of_numbers(double value, const char* what) {
 }
 
 /// Counts the ticks that speak against the estimate.
-void count(Estimate& e, bool with_images, const EstimatorSettings& settings) {
+void count(Estimate& e, int frames, const EstimatorSettings& settings) {
   HealthRecord& record = e.health;
   const HealthSettings& limits = settings.health;
-  const bool few = with_images && e.last.matched < limits.min_matches;
-  record.frames_with_few = few ? record.frames_with_few + 1 : 0;
+  if (frames > 0)
+    record.frames_with_few = e.last.matched < limits.min_matches ? record.frames_with_few + frames : 0;
   if (e.last.matched > 0)
     record.unmatched_ticks = 0;
   else if (recognizes_nothing(e, settings))
     ++record.unmatched_ticks;
-  record.doubted_ticks = innovation_sigmas(e) > limits.max_innovation_sigmas ? record.doubted_ticks + 1 : 0;
+  if (e.last.matched > 0)
+    record.doubted_ticks = innovation_sigmas(e) > limits.max_innovation_sigmas ? record.doubted_ticks + 1 : 0;
 }
 
 /// The reason why the measurements say that the estimate is lost; empty if they do not.
@@ -128,9 +129,9 @@ double sigma_position(const Body& body) {
   return std::sqrt(std::max(0.0, cov.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff()));
 }
 
-TrackingStatus assess(Estimate& e, bool with_images, const EstimatorSettings& settings) {
-  const std::string seen = with_images ? matches_in_words(e) : "";
-  count(e, with_images, settings);
+TrackingStatus assess(Estimate& e, int frames, const EstimatorSettings& settings) {
+  const std::string seen = frames > 0 ? matches_in_words(e) : "";
+  count(e, frames, settings);
   for (std::size_t i = 0; i < e.bodies.size(); ++i) {
     const std::string lost = lost_by_covariance(e.bodies[i], settings.health);
     if (lost.empty()) continue;

@@ -13,10 +13,10 @@ double sigma_position(const Body& body);
 /// Status after the current tick, which `estimate.last` reports; updates `estimate.health`.
 ///
 /// `lost`: a pose or covariance is not finite; a position sigma exceeds its limit; for `max_ticks` consecutive
-/// frames fewer than `min_matches` features were matched in the images (`with_images`: the bodies carry cameras); for
-/// as many ticks there were detections but no match with `min_expected` landmarks predicted in view; or the rms
+/// frames fewer than `min_matches` measurements corrected the filter, those of other sensors included (`frames`: of the
+/// cameras at this tick, 0 between images); for as many ticks there were detections but no match with `min_expected` landmarks predicted in view; or the rms
 /// normalized innovation exceeded `max_innovation_sigmas` as long. `degraded`: this frame had too few matches, an
 /// update was rejected, a joint association was incomplete, or the innovations are improbably large.
-TrackingStatus assess(Estimate& estimate, bool with_images, const EstimatorSettings& settings);
+TrackingStatus assess(Estimate& estimate, int frames, const EstimatorSettings& settings);
 
 }  // namespace incognita

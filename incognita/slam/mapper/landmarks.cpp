@@ -62,6 +62,15 @@ bool initialize_from_detection(Estimate& e, int body, const PointDetection& dete
   return true;
 }
 
+namespace {
+
+bool measures(const BodyModel& body, const Landmark& landmark) {
+  return std::any_of(body.sensors.begin(), body.sensors.end(),
+                     [&](const PointSensor& sensor) { return is_measurable(landmark, sensor.sensor); });
+}
+
+}  // namespace
+
 void convert_converged_inverse_depths(Estimate& e, const EstimatorSettings& settings) {
   for (auto next = e.landmarks.begin(); next != e.landmarks.end();) {
     const auto at = next++;
@@ -76,13 +85,16 @@ void convert_converged_inverse_depths(Estimate& e, const EstimatorSettings& sett
     }
     const double var = e.belief.covariance(landmark.block)(last, last);
     const int dimensions = static_cast<int>(mean.size()) / 2;
-    double index = 1e9;
-    for (std::size_t i = 0; i < e.bodies.size(); ++i)
-      index = std::min(
+    // The largest of all bodies that may measure it: for each of them the measurement must be linear enough
+    double index = 0;
+    for (std::size_t i = 0; i < e.bodies.size(); ++i) {
+      if (!measures(settings.bodies[i], landmark)) continue;
+      index = std::max(
           index,
           linearity_index(
               landmark.form, mean, var,
               position_of(settings.bodies[i].motion, e.belief.mean(e.bodies[i].block), dimensions).position));
+    }
     if (!(index < settings.filter.max_linearity_index)) continue;
     const auto point = position_of(landmark.form, mean);
     if (!point) continue;

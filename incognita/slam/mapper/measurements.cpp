@@ -41,9 +41,10 @@ Target target_of_anchor(const Estimate& e, const SmallVector& anchor) {
   return {{}, here.point, here.point, *e.world, here.by_frame};
 }
 
-/// `dimensions`: of the points that the sensor measures.
-std::optional<Target> target_of(const Estimate& e, bool of_body, std::int64_t id, int dimensions,
+/// Nothing for a landmark that the sensor does not measure, such as a feature of a camera.
+std::optional<Target> target_of(const Estimate& e, bool of_body, std::int64_t id, const AnySensor& sensor,
                                 const EstimatorSettings& settings) {
+  const int dimensions = dimensions_of(sensor);
   if (of_body) {
     const auto other = static_cast<std::size_t>(id);
     const Body& observed = e.bodies.at(other);
@@ -55,6 +56,7 @@ std::optional<Target> target_of(const Estimate& e, bool of_body, std::int64_t id
   const auto found = e.landmarks.find(id);
   if (found == e.landmarks.end()) return std::nullopt;
   const Landmark& landmark = found->second;
+  if (!is_measurable(landmark, sensor)) return std::nullopt;
   if (landmark.fixed) return target_of_anchor(e, landmark.position);
   const SmallVector mean = e.belief.mean(landmark.block);
   const int errors = e.belief.chart(landmark.block).tangent();
@@ -105,7 +107,7 @@ std::optional<LinearizedDetection> linearize_detection(const Estimate& e, int bo
   const AnyMotion& motion = settings.bodies[static_cast<std::size_t>(body)].motion;
   const PointSensor& sensor = sensor_of(settings, body, detection.sensor);
   const int dimensions = dimensions_of(sensor.sensor);
-  const auto target = target_of(e, of_body, detection.identity, dimensions, settings);
+  const auto target = target_of(e, of_body, detection.identity, sensor.sensor, settings);
   if (!target) return std::nullopt;
   const auto prediction =
       predict_measurement(sensor.sensor, motion, e.belief.mean(viewer.block), target->form, target->mean);

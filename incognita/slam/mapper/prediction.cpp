@@ -64,6 +64,9 @@ void correct_by_fix(Estimate& e, std::size_t which, const PositionReading& fix,
 void predict_through_readings(Estimate& e, std::size_t which, const BodyObservation& view, double t,
                               const EstimatorSettings& settings) {
   Body& body = e.bodies[which];
+  // The odometry of a body in space is that of its carrier, and not its own input: its acceleration is unknown
+  const bool moves_it = !traits_of(settings.bodies[which].motion).in_space();
+  if (!moves_it) body.input = SmallVector::Zero(inputs_of(settings.bodies[which].motion));
   auto fix = view.fixes.begin();
   const auto use_fixes_until = [&](double until) {
     for (; settings.bodies[which].sigma_fix_m > 0 && fix != view.fixes.end() && fix->t <= until; ++fix) {
@@ -72,8 +75,6 @@ void predict_through_readings(Estimate& e, std::size_t which, const BodyObservat
       correct_by_fix(e, which, *fix, settings);
     }
   };
-  // The odometry of a body in space is that of its carrier, and not its own input
-  const bool moves_it = !traits_of(settings.bodies[which].motion).in_space();
   for (const Odometry& reading : view.odometry) {
     if (!moves_it) break;
     use_fixes_until(reading.t);
@@ -107,8 +108,9 @@ void predict_by_command(Estimate& e, std::size_t which, const SmallVector& comma
   const BodyModel& model = settings.bodies[which];
   const Body& body = e.bodies[which];
   if (dt > 0) hold(e, which, commanded, dt, dt, settings);
-  if (model.wheels && !observed.odometry.empty())
-    update_with_wheel_odometry(e.belief, body.block, *model.wheels, observed.odometry.back().input);
+  if (!model.wheels || observed.odometry.empty()) return;
+  const UpdateReport update = update_with_wheel_odometry(e.belief, body.block, *model.wheels, *body.wheels);
+  if (update.outcome != UpdateReport::Outcome::updated) e.last.refused = true;
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ std::string validate_map_frame(const EstimatorSettings& s) {
   if (!is_planar(s.bodies.front()) || !measures_points_of_plane(s.bodies.front()))
     return "estimator.map_frame = `vehicle`: only for a vehicle on a plane that measures ranges and bearings; take `world`";
   if (f.form == BeliefForm::information)
-    return "estimator.map_frame = `vehicle`: the information form cannot change the frame of a map; take `covariance`";
+    return "estimator.map_frame = `vehicle`: the information form cannot change the frame of a map; take `world`, or `covariance` for estimator.form";
   return "";
 }
 
@@ -128,7 +128,7 @@ std::string validate_body(const BodyModel& b, const EstimatorSettings& s) {
       if (!problem.empty()) return problem;
   if (s.filter.linearization == Linearization::first_estimate &&
       !(is_planar(b) && measures_points_of_plane(b)))
-    return "first-estimate Jacobians are derived for ranges and bearings on a plane only";
+    return "first-estimate Jacobians are derived for ranges and bearings on a plane only; take `analytic`";
   return s.filter.linearization == Linearization::iterated ? validate_iterated(b, s) : "";
 }
 

@@ -72,13 +72,15 @@ struct Association {
     inliers.measurements.push_back(at->linearized);
   }
 
-  /// Whether a detection of the same landmark by the same sensor precedes this match.
+  /// Whether a usable detection of the same landmark by the same sensor precedes this match.
   bool was_measured(std::size_t index) const {
     const Match& match = e.last.matches[index];
     return std::any_of(e.last.matches.begin(), e.last.matches.begin() + static_cast<std::ptrdiff_t>(index),
                        [&](const Match& other) {
                          return other.body == match.body && other.sensor == match.sensor && !other.of_body &&
-                                other.id == match.id;
+                                other.id == match.id &&
+                                is_usable(sensor_of(settings, other.body, other.sensor).sensor,
+                                          other.measured);
                        });
   }
 
@@ -138,7 +140,6 @@ void associate_detections(Estimate& e, const Observation& observation, const Est
     association.landmarks(static_cast<int>(i), observation.bodies[i].landmarks);
     association.bodies(static_cast<int>(i), observation.bodies[i].vehicles);
   }
-  e.capped_associations += e.last.association_capped;
 }
 
 void append_relinearized(const Estimate& e, const Inliers& inliers, const EstimatorSettings& settings,

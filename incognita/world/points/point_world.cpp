@@ -37,12 +37,13 @@ void check(const AnyMotion& motion, const SimulatedPointSensor& s, const PointLa
 
 PointDetector::PointDetector(AnyMotion motion, SimulatedPointSensor sensor, PointTargets targets,
                              std::uint64_t seed, const std::string& name,
-                             std::shared_ptr<AssociationTruth> associations)
+                             std::shared_ptr<AssociationTruth> associations, int index)
     : motion_(std::move(motion)),
       sensor_(std::move(sensor)),
       targets_(std::move(targets)),
       noise_(seed, name),
-      associations_(std::move(associations)) {
+      associations_(std::move(associations)),
+      index_(index) {
   check(motion_, sensor_, targets_.landmarks);
 }
 
@@ -68,16 +69,22 @@ void PointDetector::measure(const std::optional<Truth>& truth, std::size_t which
   const SmallVector& state = truth_of(truth, which).state;
   std::vector<std::int64_t> identities;
   if (ticks_++ % sensor_.ticks_per_measurement == 0) {
+    std::vector<PointDetection> own;
     for (const auto& [identity, point] : targets_.landmarks)
-      if (auto z = measured(state, point)) observation.landmarks.push_back({identity, *z});
-    identities = remove_identities(observation.landmarks);
+      if (auto z = measured(state, point)) own.push_back({identity, *z, index_});
+    identities = remove_identities(own);
+    observation.landmarks.insert(observation.landmarks.end(), own.begin(), own.end());
     for (std::size_t j = 0; targets_.vehicles && j < truth->bodies.size(); ++j) {
       if (j == which) continue;
       const SmallVector other = truth->bodies[j].pose->position.head(dimensions_of(sensor_.model));
-      if (auto z = measured(state, other)) observation.vehicles.push_back({static_cast<std::int64_t>(j), *z});
+      if (auto z = measured(state, other))
+        observation.vehicles.push_back({static_cast<std::int64_t>(j), *z, index_});
     }
   }
-  if (associations_) associations_->at(which) = std::move(identities);
+  if (!associations_) return;
+  std::vector<std::int64_t>& of_body = associations_->at(which);
+  if (index_ == 0) of_body.clear();
+  of_body.insert(of_body.end(), identities.begin(), identities.end());
 }
 
 /// Sorts the detections without identity by their values, so that their order does not reveal it. Returns all true

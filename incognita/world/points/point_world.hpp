@@ -47,10 +47,12 @@ using AssociationTruth = std::vector<std::vector<std::int64_t>>;
 
 class PointDetector final : public BodySensor {
  public:
-  /// `motion`: of the body that carries it. `associations`: receives the true identities; may be null, otherwise it
-  /// has one entry per body. Throws std::invalid_argument if the sensor does not fit the body or the landmarks.
+  /// `motion`: of the body that carries it. `name`: of its random stream, one per sensor. `associations`: receives the
+  /// true identities; may be null, otherwise it has one entry per body. `index`: among the point sensors of the body, in the order
+  /// in which they measure. Throws std::invalid_argument if the sensor does not fit the body or the landmarks.
   PointDetector(AnyMotion motion, SimulatedPointSensor sensor, PointTargets targets, std::uint64_t seed,
-                const std::string& name, std::shared_ptr<AssociationTruth> associations = nullptr);
+                const std::string& name, std::shared_ptr<AssociationTruth> associations = nullptr,
+                int index = 0);
 
   void measure(const std::optional<Truth>& truth, std::size_t which, const Tick& tick,
                BodyObservation& observation) override;
@@ -65,6 +67,7 @@ class PointDetector final : public BodySensor {
   std::int64_t ticks_ = 0;  ///< so far
   RandomStream noise_;
   std::shared_ptr<AssociationTruth> associations_;
+  int index_;
 };
 
 SimulatedWorld point_world(const std::vector<SimulatedVehicle>& vehicles, std::uint64_t seed);

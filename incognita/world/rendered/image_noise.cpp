@@ -12,7 +12,7 @@ constexpr int table_size = 1 << 17;
 
 }  // namespace
 
-ImageNoise::ImageNoise(double sigma_gray, std::uint64_t seed) : random_(seed, "sensor.image") {
+ImageNoise::ImageNoise(double sigma_gray, std::uint64_t seed, const std::string& name) : random_(seed, name) {
   if (!(sigma_gray >= 0 && sigma_gray <= 100))
     throw std::invalid_argument("room.sigma_image_gray must be 0 to 100, got " + std::to_string(sigma_gray));
   if (sigma_gray == 0) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "incognita/math/random.hpp"
@@ -11,8 +12,8 @@ namespace incognita {
 
 class ImageNoise {
  public:
-  /// Throws std::invalid_argument if sigma_gray is negative or above 100.
-  ImageNoise(double sigma_gray, std::uint64_t seed);
+  /// `name`: of its random stream, one per camera. Throws std::invalid_argument if sigma_gray is negative or above 100.
+  ImageNoise(double sigma_gray, std::uint64_t seed, const std::string& name = "sensor.image");
 
   /// Adds noise to every pixel and clamps it to 0 to 255.
   void add_to(Image& image);

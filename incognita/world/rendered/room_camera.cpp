@@ -13,10 +13,10 @@ constexpr std::uint8_t covered_gray = 8;  // a lens cap transmits a little light
 }  // namespace
 
 RoomCamera::RoomCamera(std::shared_ptr<const Room> room, const Camera& camera, const RoomSettings& settings,
-                       std::uint64_t seed)
+                       std::uint64_t seed, const std::string& name)
     : room_(std::move(room)),
       rays_(camera),
-      noise_(settings.sigma_image_gray, seed),
+      noise_(settings.sigma_image_gray, seed, name),
       cover_lens_from_s_(settings.cover_lens_from_s) {}
 
 std::shared_ptr<const Image> RoomCamera::image_from(const RigidPose& world_from_camera, const Tick& tick) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "incognita/models/sensors/camera.hpp"
 #include "incognita/world/rendered/image_noise.hpp"
@@ -15,9 +16,9 @@ namespace incognita {
 
 class RoomCamera final : public BodySensor {
  public:
-  /// The room is shared, since painting it is the most expensive part.
+  /// The room is shared, since painting it is the most expensive part. `name`: of the random stream of the noise, one per camera.
   RoomCamera(std::shared_ptr<const Room> room, const Camera& camera, const RoomSettings& settings,
-             std::uint64_t seed);
+             std::uint64_t seed, const std::string& name = "sensor.image");
 
   /// The image seen from a pose. Deterministic: equal seeds and pose sequences give equal images.
   std::shared_ptr<const Image> image_from(const RigidPose& world_from_camera, const Tick& tick);

@@ -74,7 +74,8 @@ RoomLayout room_layout(const RoomSettings& s, std::uint64_t seed) {
   RandomStream random(seed, "room.layout");
   const Box keep_free = corridor(s, layout.sheet);
   for (int tries = 0; static_cast<int>(layout.boxes.size()) < s.boxes; ++tries) {
-    need(tries < tries_per_box * (s.boxes + 1), "room boxes do not fit along the walls", s.boxes);
+    need(tries < tries_per_box * (s.boxes + 1),
+         "room.boxes: that many do not fit along the walls of the room; take fewer", s.boxes);
     const Box box = box_along_wall(s, random);
     const auto touches = [&](const Box& other) { return overlap_on_floor(box.grown(gap_m), other); };
     const bool taken = std::any_of(layout.boxes.begin(), layout.boxes.end(), touches);

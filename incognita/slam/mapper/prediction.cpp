@@ -103,12 +103,12 @@ UpdateReport update_with_wheel_odometry(AnyBelief& belief, BlockId camera, const
 namespace {
 
 /// Predicts by the command of the last tick; wheel readings of a carrier correct the result.
-void predict_by_command(Estimate& e, std::size_t which, const SmallVector& commanded,
-                        const BodyObservation& observed, double dt, const EstimatorSettings& settings) {
+void predict_by_command(Estimate& e, std::size_t which, const SmallVector& commanded, double dt,
+                        const EstimatorSettings& settings) {
   const BodyModel& model = settings.bodies[which];
   const Body& body = e.bodies[which];
   if (dt > 0) hold(e, which, commanded, dt, dt, settings);
-  if (!model.wheels || observed.odometry.empty()) return;
+  if (!model.wheels || !body.wheels) return;
   const UpdateReport update = update_with_wheel_odometry(e.belief, body.block, *model.wheels, *body.wheels);
   if (update.outcome != UpdateReport::Outcome::updated) e.last.refused = true;
 }
@@ -121,7 +121,7 @@ void predict_body(Estimate& e, std::size_t which, const SmallVector& commanded,
   if (!observed.input && !by_command) return predict_through_readings(e, which, observed, tick.t, settings);
   Body& body = e.bodies[which];
   if (by_command) {
-    if (tick.t > body.t) predict_by_command(e, which, commanded, observed, tick.dt, settings);
+    if (tick.t > body.t) predict_by_command(e, which, commanded, tick.dt, settings);
   } else {
     const double dt = tick.t - body.t;
     if (dt > 0) hold(e, which, *observed.input, dt, dt, settings);

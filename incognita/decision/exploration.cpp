@@ -52,13 +52,14 @@ int Exploration::cell_of(const Eigen::Vector3d& position) const {
   return at.x() + cells_.x() * (at.y() + cells_.y() * at.z());
 }
 
-/// Moves the landmark to a position drawn uniformly in the unseen volume.
+/// Moves the landmark to a position drawn uniformly in the unseen volume. Where nearly all is seen it may end in a seen cell, and is
+/// moved again at the next update.
 void Exploration::move_elsewhere(ExpectedLandmark& landmark) {
   const Eigen::Vector3d size = settings_.max_m - settings_.min_m;
   const auto draw = [&] {
     for (int i = 0; i < 3; ++i) landmark.position[i] = settings_.min_m[i] + size[i] * random_.uniform();
   };
-  constexpr int most_draws = 10000;  // nearly all is seen by then
+  constexpr int most_draws = 10000;
   for (int i = 0; i < most_draws; ++i) {
     draw();
     if (!seen(cell_of(landmark.position))) return;

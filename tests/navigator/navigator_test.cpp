@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -64,14 +65,21 @@ TEST(Navigator, AdvancesByOdometryAlone) {
   EXPECT_GT(navigator.pose().covariance(0, 0), 0.01);
 }
 
+/// Tiles of different brightness, whose corners are features.
+Image tiles() {
+  Image image(320, 240);
+  for (int v = 0; v < 240; ++v)
+    for (int u = 0; u < 320; ++u)
+      image(u, v) = static_cast<std::uint8_t>(((u / 16) * 7919 + (v / 16) * 104729) % 211 + 20);
+  return image;
+}
+
 TEST(Navigator, ReadsImagesWithAStride) {
   constexpr int width = 320, height = 240, stride = 352;
   std::vector<std::uint8_t> buffer(static_cast<std::size_t>(stride) * height, 0);
-  Image image(width, height);
+  const Image image = tiles();
   for (int v = 0; v < height; ++v)
-    for (int u = 0; u < width; ++u)
-      image(u, v) = buffer[static_cast<std::size_t>(v) * stride + static_cast<std::size_t>(u)] =
-          static_cast<std::uint8_t>(((u / 16) * 7919 + (v / 16) * 104729) % 211 + 20);
+    std::copy_n(image.row(v), width, buffer.begin() + static_cast<std::ptrdiff_t>(v) * stride);
   const auto estimate_with = [](const ImageView& view) {
     Navigator navigator(single_camera(WideAngleCamera{}, std::nullopt, {}, 10, 1));
     for (int k = 0; k < 5; ++k) navigator.add_image(view, k / 30.0);
@@ -127,10 +135,7 @@ TEST(Navigator, StartsAtFixesOfDifferentTimes) {
 
 /// The images of two cameras on one body come one after the other.
 TEST(Navigator, StartsWithImagesOfDifferentTimes) {
-  Image image(320, 240);
-  for (int v = 0; v < 240; ++v)
-    for (int u = 0; u < 320; ++u)
-      image(u, v) = static_cast<std::uint8_t>(((u / 16) * 7919 + (v / 16) * 104729) % 211 + 20);
+  const Image image = tiles();
   const CameraSlamSettings s;
   EstimatorSettings settings;
   settings.bodies.push_back(free_camera_body(s.filter));
@@ -150,10 +155,7 @@ TEST(Navigator, StartsWithImagesOfDifferentTimes) {
 
 /// Ticks between images are no frames without matches.
 TEST(Navigator, MayAdvanceMoreOftenThanImagesCome) {
-  Image image(320, 240);
-  for (int v = 0; v < 240; ++v)
-    for (int u = 0; u < 320; ++u)
-      image(u, v) = static_cast<std::uint8_t>(((u / 16) * 7919 + (v / 16) * 104729) % 211 + 20);
+  const Image image = tiles();
   Navigator navigator(single_camera(WideAngleCamera{}, std::nullopt, {}, 10, 1));
   for (int k = 0; k <= 100; ++k) {
     if (k % 20 == 0) navigator.add_image({image.row(0), 320, 240, 320}, 0.005 * k);

@@ -142,8 +142,8 @@ void SlamEstimator::see(const Observation& observation) {
   }
 }
 
-/// Frames of the cameras at this tick: 1 with an image. Ticks may be more frequent than images; without one, the frames that are
-/// overdue by the period of the last images, as of a camera that failed.
+/// Frames of the cameras at this tick: 1 with an image. Ticks may be more frequent than images; without one, the frames
+/// that are overdue by the period of the last images, as of a camera that failed.
 int SlamEstimator::count_frames(const Tick& tick) {
   if (cameras_.empty()) return 0;
   if (std::ranges::any_of(cameras_, &FeatureTracker::has_image)) {
@@ -207,8 +207,8 @@ bool SlamEstimator::has_first_fixes(const Observation& observation) {
   return all;
 }
 
-/// Whether each body with cameras can start: one of its cameras finds the target in its image or, if none of them has a target,
-/// has had an image, now or at an earlier tick.
+/// Whether each body with cameras can start: one of its cameras finds the target in its image or, if none of them has a
+/// target, has had an image, now or at an earlier tick.
 bool SlamEstimator::has_camera_starts(Estimate& e, double waited_s) {
   starts_.resize(cameras_.size());
   std::vector<bool> ready(settings_.bodies.size(), false);
@@ -371,8 +371,8 @@ void SlamEstimator::assess(Estimate& e, int frames) {
   if (e.status.state == TrackingState::lost && !cameras_.empty()) search_around_last_pose(e);
 }
 
-/// From lost: the estimate is relocated once it was corrected by enough matches and is certain again. A body with a camera and
-/// another sensor may also find its way back by that sensor.
+/// From lost: the estimate is relocated once it was corrected by enough matches and is certain again. A body with a
+/// camera and another sensor may also be relocated by that sensor.
 void SlamEstimator::relocate(Estimate& e, bool corrected) {
   for (const FeatureTracker& camera : cameras_) e.last.predicted += camera.camera().predicted;
   const bool recognized =

@@ -29,10 +29,11 @@ class SlamEstimator final : public Estimator {
   const std::vector<FeatureTracker>& cameras() const { return cameras_; }
   FeatureTracker& camera(std::size_t index) { return cameras_.at(index); }
 
-  /// Advances the estimate from the previous tick to this one. `observation.bodies` has one entry per body, in the order
-  /// of the settings. Throws std::invalid_argument, and changes nothing, when their number differs, for an image whose size
-  /// is not that of its camera, and for a detection of a sensor or a body that does not exist. `command`: since the previous tick, for bodies that are predicted by it. The appearance of the
-  /// landmarks is kept here: an estimator goes with one estimate.
+  /// Advances the estimate from the previous tick to this one. `observation.bodies` has one entry per body, in the
+  /// order of the settings. Throws std::invalid_argument, and changes nothing, when their number differs, for an
+  /// image whose size is not that of its camera, and for a detection of a sensor or a body that does not exist.
+  /// `command`: since the previous tick, for bodies that are predicted by it. The appearance of the landmarks is kept
+  /// here: an estimator goes with one estimate.
   void update(Estimate& estimate, const Command& command, const Observation& observation,
               const Tick& tick) override;
 

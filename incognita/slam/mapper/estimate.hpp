@@ -98,7 +98,7 @@ struct FrameReport {
 
 /// What the assessment of the status remembers between ticks: health.hpp.
 struct HealthRecord {
-  int frames_with_few = 0;                 ///< consecutive ticks with images with too few matches
+  int frames_with_few = 0;                 ///< consecutive frames with too few matches, overdue ones too
   int unmatched_ticks = 0;                 ///< consecutive ticks with detections but without a match
   int doubted_ticks = 0;                   ///< consecutive updates with large innovations
   double recent_nis = 0, recent_rows = 0;  ///< weighted sums over updates, forgetting factor 0.9

@@ -10,7 +10,8 @@ namespace incognita {
 
 /// Predicts one body to the time of the tick: by its odometry readings, each held until the next; by the one input that
 /// it measured since the last tick; or by `commanded`, if the body's model says so. Position fixes, if used, correct it
-/// at their own times with odometry, else at the tick. Sets `estimate.last.refused` when a fix is rejected.
+/// at their own times with odometry, else at the tick. Sets `estimate.last.refused` when a fix or a wheel
+/// reading is rejected.
 void predict_body(Estimate& estimate, std::size_t which, const SmallVector& commanded,
                   const BodyObservation& observed, const Tick& tick, const EstimatorSettings& settings);
 

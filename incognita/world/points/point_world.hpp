@@ -48,8 +48,8 @@ using AssociationTruth = std::vector<std::vector<std::int64_t>>;
 class PointDetector final : public BodySensor {
  public:
   /// `motion`: of the body that carries it. `name`: of its random stream, one per sensor. `associations`: receives the
-  /// true identities; may be null, otherwise it has one entry per body. `index`: among the point sensors of the body, in the order
-  /// in which they measure. Throws std::invalid_argument if the sensor does not fit the body or the landmarks.
+  /// true identities; may be null, otherwise it has one entry per body. `index`: among the point sensors of the body, in
+  /// the order in which they measure. Throws std::invalid_argument if the sensor does not fit the body or the landmarks.
   PointDetector(AnyMotion motion, SimulatedPointSensor sensor, PointTargets targets, std::uint64_t seed,
                 const std::string& name, std::shared_ptr<AssociationTruth> associations = nullptr,
                 int index = 0);

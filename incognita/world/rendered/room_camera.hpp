@@ -16,7 +16,8 @@ namespace incognita {
 
 class RoomCamera final : public BodySensor {
  public:
-  /// The room is shared, since painting it is the most expensive part. `name`: of the random stream of the noise, one per camera.
+  /// The room is shared, since painting it is the most expensive part. `name`: of the random stream of the noise, one
+  /// per camera.
   RoomCamera(std::shared_ptr<const Room> room, const Camera& camera, const RoomSettings& settings,
              std::uint64_t seed, const std::string& name = "sensor.image");
 

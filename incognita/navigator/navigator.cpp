@@ -108,7 +108,7 @@ const TrackingStatus& Navigator::add_detections(std::vector<PointDetection> land
 const TrackingStatus& Navigator::advance(double t) {
   pending(0, t);
   const Tick tick{tick_.frame + 1, t, tick_ ? t - tick_.t : 0};
-  Observation observation;
+  Observation before = pending_, observation;
   for (BodyObservation& later : pending_.bodies) {
     BodyObservation& now = observation.bodies.emplace_back();
     now.odometry = taken_until(later.odometry, t);
@@ -117,7 +117,14 @@ const TrackingStatus& Navigator::advance(double t) {
     now.landmarks = std::exchange(later.landmarks, {});
     now.vehicles = std::exchange(later.vehicles, {});
   }
-  estimator_.update(estimate_, command_, observation, tick);
+  try {
+    estimator_.update(estimate_, command_, observation, tick);
+  } catch (const std::invalid_argument&) {  // the readings are kept, and what was refused is not
+    for (BodyObservation& body : before.bodies)
+      body.images.clear(), body.landmarks.clear(), body.vehicles.clear();
+    pending_ = std::move(before);
+    throw;
+  }
   tick_ = tick;
   return estimate_.status;
 }

@@ -105,6 +105,15 @@ TEST(Navigator, UsesReadingsAtTheirOwnTimes) {
   EXPECT_EQ(navigator.estimate().last.fixes.size(), 1u);
 }
 
+TEST(Navigator, KeepsReadingsWhenDetectionsAreRefused) {
+  Navigator navigator{SlamEstimator(one_vehicle())};
+  navigator.advance(0);
+  navigator.add_odometry({1, 0}, 0);
+  EXPECT_THROW(navigator.add_detections({{1, Eigen::Vector2d(3, 0), 1}}, 1), std::invalid_argument);
+  navigator.advance(2);
+  EXPECT_NEAR(navigator.pose().pose.position.x(), 2, 1e-12);
+}
+
 TEST(Navigator, PredictsABodyInSpaceWithoutInput) {
   EstimatorSettings settings;
   SmallVector at = SmallVector::Zero(13);

@@ -91,10 +91,10 @@ void SlamEstimator::update(Estimate& e, const Command& command, const Observatio
                            const Tick& tick) {
   check(observation, settings_);
   StageClock stage(e.timing_ms);
-  e.last.restart();
-  if (!e.first_t) e.first_t = tick.t;
   see(observation);
   stage.mark("sums");
+  e.last.restart();
+  if (!e.first_t) e.first_t = tick.t;
   const int frames = count_frames(tick);
   const bool starts = !e.started;
   if (starts) start(e, observation, tick);

@@ -218,7 +218,7 @@ void frame(benchmark::State& state) {
                              const Command command =
                                  room.parts.controller->act(estimate, goal, observation, tick);
                              benchmark::DoNotOptimize(snapshot_of(tick, std::nullopt, observation, estimate,
-                                                                  goal, decision->actions(), command, {}));
+                                                                  goal, *decision, command, {}));
                            }));
     all.push_back(1e3 * update + deciding.back() + reporting_ms.back());
     state.SetIterationTime(1e-3 * all.back());

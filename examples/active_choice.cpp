@@ -12,7 +12,7 @@ int main() {
   settings.bodies.push_back(body_with_sensor(DifferentialDrive{}, RangeBearingSensor{},
                                              Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.1, 0.1, 0.1),
                                              Eigen::Vector2d(0.05, 0.05), Eigen::Vector2d(0.2, 0.02)));
-  const auto most_informative = decide_for(SlamEstimator(settings), {.tick_s = 0.1});
+  const auto strategy = decide_for(SlamEstimator(settings), {.tick_s = 0.1});
   Navigator navigator{SlamEstimator(settings)};
 
   std::mt19937 random(1);
@@ -26,8 +26,8 @@ int main() {
       detections.push_back({post, z + Eigen::Vector2d(0.2 * normal(random), 0.02 * normal(random))});
     }
     navigator.add_detections(detections, t);
-    const BodyGoal goal = navigator.choose(*most_informative).bodies.at(0);
-    if (goal.decided) std::printf("t = %.1f s: %s\n", t, most_informative->actions().at(goal.chosen).c_str());
+    const BodyGoal goal = navigator.choose(*strategy).bodies.at(0);
+    if (goal.decided) std::printf("t = %.1f s: %s\n", t, strategy->actions(0).at(goal.chosen).c_str());
     const auto [pose, covariance] = navigator.pose();
     const Eigen::Vector3d to =
         rotation_matrix<double>(pose.world_from_body).transpose() * (goal.to - pose.position);

@@ -14,8 +14,8 @@ namespace incognita::exploring {
 namespace {
 
 Decision decision_of(const Snapshot& s) {
-  Decision d{s.tick.t, s.decision.chosen, s.decision.actions.at(static_cast<std::size_t>(s.decision.chosen)),
-             s.decision.scores, s.decision.entropy_extended.value_or(std::nan(""))};
+  const SnapshotDecision& of = s.bodies.front().decision;
+  Decision d{s.tick.t, of.chosen, chosen_action(of), of.scores, s.entropy_extended.value_or(std::nan(""))};
   for (const SnapshotLandmark& l : s.landmarks)
     if (!l.anchor) d.mapped.push_back(l.id);
   return d;
@@ -27,14 +27,15 @@ class Gathered {
   void add(const Snapshot& s) {
     summary_.add(s);
     run_.map = s.landmarks;
-    run_.actions = s.decision.actions;
+    const SnapshotBody& body = s.bodies.at(0);
+    run_.actions = body.decision.actions;
     run_.lost = s.status.state == TrackingState::lost;
     returned_ += returned(s);
-    if (s.decision.decided && s.decision.chosen >= 0) {
+    if (body.decision.decided && body.decision.chosen >= 0) {
       run_.decisions.push_back(decision_of(s));
       run_.decisions.back().returned = std::exchange(returned_, 0);
     }
-    if (has_pose(s) && s.bodies.front().truth) add_instant(s);
+    if (has_pose(body) && body.truth) add_instant(s);
   }
 
   Run finish() {

@@ -14,12 +14,12 @@ Command SteeringController::act(const Estimate& estimate, const Goal& goal, cons
   if (!first_t_) first_t_ = tick.t;
   Command command;
   if (!estimate.started) return command;
-  const bool lost = estimate.status.state == TrackingState::lost;
   for (std::size_t i = 0; i < std::min(bodies_.size(), estimate.bodies.size()); ++i) {
     const BodyGoal* own = i < goal.bodies.size() ? &goal.bodies[i] : nullptr;
-    command.bodies.push_back(lost ? bodies_[i].act_when_lost(tick.t)
-                                  : bodies_[i].act(estimate.bodies[i].state, own, body_of(observation, i),
-                                                   tick.t, tick.t - *first_t_));
+    command.bodies.push_back(is_lost(estimate, i)
+                                 ? bodies_[i].act_when_lost(tick.t)
+                                 : bodies_[i].act(estimate.bodies[i].state, own, body_of(observation, i),
+                                                  tick.t, tick.t - *first_t_));
   }
   return command;
 }

@@ -52,15 +52,13 @@ Decision::Decision(std::vector<std::unique_ptr<BodyChoice>> choices, MapExpectat
   goal_.bodies.resize(choices_.size());
 }
 
-void Decision::forget() {
-  for (std::size_t i = 0; i < choices_.size(); ++i) {
-    choices_[i]->forget();
-    BodyGoal& goal = goal_.bodies[i];
-    goal.scores.assign(choices_[i]->names().size(), 0);
-    goal.chosen = -1;
-    goal.decided = false;
-    goal.drive.reset();
-  }
+void Decision::forget(std::size_t body) {
+  choices_[body]->forget();
+  BodyGoal& goal = goal_.bodies[body];
+  goal.scores.assign(choices_[body]->names().size(), 0);
+  goal.chosen = -1;
+  goal.decided = false;
+  goal.drive.reset();
 }
 
 /// Time since the last call, s: it may be called less often than the estimate is updated, or more often.
@@ -74,6 +72,7 @@ void Decision::explore(const Estimate& estimate, const Tick& tick) {
   if (exploration_.settings().expected_landmarks == 0) return;
   const double share = tick.dt / static_cast<double>(choices_.size());
   for (std::size_t i = 0; i < choices_.size(); ++i) {
+    if (is_lost(estimate, i)) continue;
     const BlockVector state = estimate.belief.mean(estimate.bodies[i].block);
     exploration_.update(
         [&](const Eigen::Vector3d& position) { return expectation_.in_view(i, state, position); }, share,
@@ -84,13 +83,17 @@ void Decision::explore(const Estimate& estimate, const Tick& tick) {
 
 Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& now) {
   const Tick tick{now.frame, now.t, since_last_call(now)};
-  if (!estimate.started || estimate.status.state == TrackingState::lost) {
-    forget();
+  if (!estimate.started) {
+    for (std::size_t i = 0; i < choices_.size(); ++i) forget(i);
     return goal_;
   }
   explore(estimate, tick);
   bool decided = false;
   for (std::size_t i = 0; i < choices_.size(); ++i) {
+    if (is_lost(estimate, i)) {
+      forget(i);
+      continue;
+    }
     expectation_.prepare(estimate, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
     choices_[i]->choose(estimate.belief, estimate.bodies[i], expectation_, tick, goal_.bodies[i]);
     decided |= goal_.bodies[i].decided;

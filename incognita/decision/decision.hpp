@@ -3,6 +3,7 @@
 // the ground or a line choose among the translations that they can execute.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -25,14 +26,16 @@ class Decision final : public Strategy {
            const ExplorationSettings& exploration = {}, std::uint64_t seed = 1);
 
   /// Scores the actions as the schedule asks; compares them and sets a new goal once per period. Actions that
-  /// would end outside the bounds are scored but not chosen.
+  /// would end outside the bounds are scored but not chosen. A body that is lost chooses nothing.
   Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick) override;
   Goal choose(const Estimate& estimate, const Tick& tick) { return choose(estimate, {}, tick); }
 
-  const std::vector<std::string>& actions() const override { return choices_.front()->names(); }
+  const std::vector<std::string>& actions(std::size_t body) const override {
+    return choices_.at(body)->names();
+  }
 
  private:
-  void forget();
+  void forget(std::size_t body);
   void explore(const Estimate& estimate, const Tick& tick);
   double since_last_call(const Tick& tick);
 

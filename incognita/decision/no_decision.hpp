@@ -8,7 +8,7 @@ namespace incognita {
 class NoDecision final : public Strategy {
  public:
   Goal choose(const Estimate&, const Observation&, const Tick&) override { return {}; }
-  const std::vector<std::string>& actions() const override { return none_; }
+  const std::vector<std::string>& actions(std::size_t) const override { return none_; }
 
  private:
   std::vector<std::string> none_;

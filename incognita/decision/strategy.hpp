@@ -1,6 +1,7 @@
 // The interface of the decision in the loop: which action comes next.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,8 @@ class Strategy {
   /// The goal of every body, with the scores of all candidate actions. No action is chosen without a pose (not started,
   /// lost).
   virtual Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick) = 0;
-  /// Names of the candidate actions, constant over a run.
-  virtual const std::vector<std::string>& actions() const = 0;
+  /// Names of the candidate actions of a body, constant over a run.
+  virtual const std::vector<std::string>& actions(std::size_t body) const = 0;
 };
 
 }  // namespace incognita

@@ -19,7 +19,7 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::string vehicles_header(const RunInfo& info) {
-  std::string header = "t,vehicle";
+  std::string header = "t,vehicle,state";
   for (const char* what : {"", "two_sigma_", "true_", "reference_"})
     for (const char* number : {"x_m", "y_m", "z_m", "heading_rad"})
       header += fmt::format(",{}{}", what, number);
@@ -80,10 +80,11 @@ BodyTables::BodyTables(const RunDirectory& directory, const RunInfo& info)
 std::string BodyTables::vehicle_row(const Snapshot& s, std::size_t i) const {
   const SnapshotBody& v = s.bodies[i];
   const Eigen::Vector4d nowhere = Eigen::Vector4d::Constant(unknown);
-  const bool posed = has_pose(s), camera = body_ == "camera";
+  const bool posed = has_pose(v), camera = body_ == "camera";
   std::string row;
   append_number(row, s.tick.t);
   append_cell(row, std::to_string(i + 1));
+  append_cell(row, name(v.state));
   for (const Eigen::Vector4d& numbers :
        {posed ? four(v.estimate, camera) : nowhere, posed ? two_sigmas(v) : nowhere,
         v.truth ? four(*v.truth, camera) : nowhere, reference_of(v)})
@@ -109,20 +110,46 @@ void BodyTables::write_poses(std::size_t i, const Snapshot& s) {
     poses.truth_opened = true;
     poses.truth.append(tum_row(*v.truth), s.tick.t);
   }
-  if (!has_pose(s)) return;
+  if (!has_pose(v)) return;
   poses.estimate.append(tum_row(v.estimate), s.tick.t);
   poses.covariance.append(covariance_row(s.tick.t, v.covariance), s.tick.t);
+}
+
+void BodyTables::write_decision(std::size_t i, const Snapshot& s) {
+  const SnapshotDecision& decision = s.bodies[i].decision;
+  if (!decision.decided) return;
+  if (i >= actions_.size()) actions_.resize(i + 1);
+  Actions& actions = actions_[i];
+  if (!actions.opened) open(actions, i, decision.actions);
+  std::string row;
+  append_number(row, s.tick.t);
+  append_cell(row, chosen_action(decision));
+  for (std::size_t k = 0; k < actions.candidates; ++k)
+    append_cell(row, k < decision.scores.size() ? decision.scores[k] : unknown);
+  actions.file.append(row, s.tick.t);
+}
+
+void BodyTables::open(Actions& actions, std::size_t i, const std::vector<std::string>& names) {
+  std::string header = "t,chosen";
+  for (const std::string& name : names) append_cell(header, name);
+  actions.file = RowFile(directory_.file(name_for_vehicle("actions.csv", i)), header);
+  actions.candidates = names.size();
+  actions.opened = true;
 }
 
 void BodyTables::publish(const Snapshot& s) {
   for (std::size_t i = 0; i < s.bodies.size(); ++i) {
     vehicles_.append(vehicle_row(s, i), s.tick.t);
     if (i > 0 && i <= others_.size()) write_poses(i, s);
+    write_decision(i, s);
   }
 }
 
 void BodyTables::close() {
   vehicles_.close();
+  if (actions_.empty()) actions_.emplace_back();
+  if (!actions_.front().opened) open(actions_.front(), 0, {});
+  for (Actions& actions : actions_) actions.file.close();
   for (Poses& poses : others_)
     for (RowFile* file : {&poses.estimate, &poses.truth, &poses.covariance}) file->close();
 }

@@ -82,12 +82,14 @@ void draw_label(Picture& picture, const SnapshotMatch& match) {
   picture.text(words, position, 0.4, color(match.outcome));
 }
 
-std::string chosen_action(const SnapshotDecision& decision) {
-  if (decision.chosen < 0 || static_cast<std::size_t>(decision.chosen) >= decision.actions.size()) return "";
+std::string action_in_words(const Snapshot& snapshot) {
+  if (snapshot.bodies.empty()) return "";
+  const SnapshotDecision& decision = snapshot.bodies.front().decision;
+  const std::string action = chosen_action(decision);
+  if (action.empty()) return "";
   const auto i = static_cast<std::size_t>(decision.chosen);
-  const std::string score =
-      i < decision.scores.size() ? fmt::format(" ({:.2f} nats)", decision.scores[i]) : "";
-  return "action: " + decision.actions[i] + score;
+  return "action: " + action +
+         (i < decision.scores.size() ? fmt::format(" (score {:.2f})", decision.scores[i]) : "");
 }
 
 void draw_band(Picture& picture, const Snapshot& snapshot) {
@@ -97,9 +99,9 @@ void draw_band(Picture& picture, const Snapshot& snapshot) {
   const std::string reason = status.reason.empty() ? "" : ": " + status.reason;
   picture.text(fmt::format("{:8.3f} s  {}{}", snapshot.tick.t, name(status.state), reason), {8, top + 16},
                0.42, ink);
-  picture.text(fmt::format("{} of {} matched   {}", snapshot.matched, snapshot.predicted,
-                           chosen_action(snapshot.decision)),
-               {8, top + 33}, 0.42, ink);
+  picture.text(
+      fmt::format("{} of {} matched   {}", snapshot.matched, snapshot.predicted, action_in_words(snapshot)),
+      {8, top + 33}, 0.42, ink);
 }
 
 }  // namespace

@@ -65,7 +65,6 @@ void Recorder::publish(const Snapshot& snapshot) {
   map_ = snapshot.landmarks;
   write_pose(snapshot);
   write_series(snapshot);
-  write_decision(snapshot);
   write_matches(snapshot);
   bodies_->publish(snapshot);
   timings_.add(snapshot);
@@ -83,7 +82,7 @@ void Recorder::write_pose(const Snapshot& snapshot) {
     truth_opened_ = true;
     truth_.append(tum_row(*body.truth), t);
   }
-  if (!has_pose(snapshot)) return;
+  if (!has_pose(body)) return;
   estimate_.append(tum_row(body.estimate), t);
   covariance_.append(covariance_row(t, body.covariance), t);
 }
@@ -111,29 +110,6 @@ void Recorder::write_series(const Snapshot& snapshot) {
   series_columns_[1].push_back(static_cast<double>(snapshot.status.state));
   for (std::size_t i = 0; i < values.size(); ++i) series_columns_[i + 2].push_back(values[i]);
   series_.append(row, snapshot.tick.t);
-}
-
-void Recorder::open_actions(const std::vector<std::string>& actions) {
-  std::string header = "t,chosen";
-  for (const std::string& action : actions) append_cell(header, action);
-  candidates_ = actions.size();
-  actions_opened_ = true;
-  actions_ = RowFile(directory_.file("actions.csv"), header);
-}
-
-void Recorder::write_decision(const Snapshot& snapshot) {
-  const SnapshotDecision& decision = snapshot.decision;
-  if (!decision.decided) return;
-  if (!actions_opened_) open_actions(decision.actions);
-  const bool named =
-      decision.chosen >= 0 && static_cast<std::size_t>(decision.chosen) < decision.actions.size();
-  std::string row;
-  append_number(row, snapshot.tick.t);
-  append_cell(row,
-              named ? std::string_view(decision.actions[static_cast<std::size_t>(decision.chosen)]) : "");
-  for (std::size_t i = 0; i < candidates_; ++i)
-    append_cell(row, i < decision.scores.size() ? decision.scores[i] : unknown);
-  actions_.append(row, snapshot.tick.t);
 }
 
 void Recorder::write_matches(const Snapshot& snapshot) {
@@ -180,10 +156,7 @@ RunOutcome Recorder::finish(RunStatus status, const std::string& reason, const F
       open_series();
     }
   });
-  attempt([&] {
-    if (!actions_opened_) open_actions({});
-  });
-  for (RowFile* file : {&estimate_, &truth_, &covariance_, &series_, &actions_, &matches_})
+  for (RowFile* file : {&estimate_, &truth_, &covariance_, &series_, &matches_})
     attempt([&] { file->close(); });
   attempt([&] {
     if (bodies_) bodies_->close();

@@ -32,9 +32,8 @@ struct RunOutcome {
 ///   starting or lost. There is no truth.tum if the truth is unknown.
 /// - covariance.csv: t and the row-major 6x6 covariance of each row of estimate.tum, order x y z rotX rotY
 ///   rotZ: position in the world (m), rotation as right error in camera axes (rad), q_true = q * exp(rot/2).
-/// - series.csv: see series_columns(). actions.csv: a row per decision, scores in nats. measurements.csv: every
-///   measurement with its association.
-/// - vehicles.csv, and for several bodies the files of each: see BodyTables.
+/// - series.csv: see series_columns(). measurements.csv: every measurement with its association.
+/// - vehicles.csv, actions.csv, and for several bodies the files of each: see BodyTables.
 /// - timings.csv: milliseconds per stage.
 /// - run.mcap: the snapshots, for replay and for viewers; see SnapshotLog.
 /// - map.csv, map.ply, series.mat, and surveyed.csv if landmarks are surveyed: at the end. summary.json:
@@ -67,11 +66,9 @@ class Recorder {
   void open_files(const RunInfo& info);
   void write_pose(const Snapshot& snapshot);
   void write_series(const Snapshot& snapshot);
-  void write_decision(const Snapshot& snapshot);
   void write_matches(const Snapshot& snapshot);
   void refresh_summary(double t_s);
   void open_series();
-  void open_actions(const std::vector<std::string>& actions);
   void write_series_mat() const;
 
   RunInfo info_;
@@ -79,13 +76,12 @@ class Recorder {
   RunSummary summary_;
   RunDirectory directory_;
   std::optional<PaddedFile> summary_file_;
-  RowFile estimate_, truth_, covariance_, series_, actions_, matches_;
+  RowFile estimate_, truth_, covariance_, series_, matches_;
   TimingTable timings_;
   std::optional<BodyTables> bodies_;
   std::optional<SnapshotLog> log_;
 
-  std::size_t candidates_ = 0;  ///< columns of actions.csv after t and chosen
-  bool actions_opened_ = false, truth_opened_ = false;
+  bool truth_opened_ = false;
   std::optional<bool> with_errors_;  ///< whether series.csv has error columns; set by the first snapshot
   std::vector<std::vector<double>> series_columns_;  ///< for the MAT file: t, state, then series.csv
   std::vector<SnapshotLandmark> map_;                ///< of the last snapshot

@@ -31,7 +31,7 @@ bool is_frame_picture(std::string_view name) { return is_numbered(name, "frame-"
 /// Files from the second body on, see BodyTables.
 bool is_of_vehicle(std::string_view name) {
   return is_numbered(name, "estimate-", ".tum", 1) || is_numbered(name, "truth-", ".tum", 1) ||
-         is_numbered(name, "covariance-", ".csv", 1);
+         is_numbered(name, "covariance-", ".csv", 1) || is_numbered(name, "actions-", ".csv", 1);
 }
 
 void remove_where(const fs::path& folder, bool (*is_ours)(std::string_view)) {

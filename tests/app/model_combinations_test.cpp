@@ -42,7 +42,7 @@ TEST_P(ModelCombination, RunsOrIsRefusedWithTheReason) {
   EXPECT_LT((v.truth->position - v.estimate.position).norm(), 0.5);
   EXPECT_EQ(v.reference.has_value(), c.law != "none");
   EXPECT_TRUE(std::isfinite(ran.last.entropy.total));
-  EXPECT_EQ(ran.last.decision.actions.empty(), c.law != "active");
+  EXPECT_EQ(ran.last.bodies.at(0).decision.actions.empty(), c.law != "active");
 }
 
 std::string name_of(const ::testing::TestParamInfo<Names>& info) {

@@ -23,9 +23,9 @@ TEST(PointScenarioRun, ACarriedCameraFollowsItsCommandsAndIsLocalized) {
   EXPECT_LT((v.truth->position - v.estimate.position).norm(), 0.2);
   EXPECT_EQ(v.input.size(), 2);
   const Ran active = run(load(carried + "[controller]\nlaw = \"active\"\n"));
-  EXPECT_EQ(active.last.decision.actions.size(), 7u);
-  EXPECT_EQ(active.last.decision.actions[3], "slower");
-  EXPECT_GE(active.last.decision.chosen, 0);
+  EXPECT_EQ(active.last.bodies.at(0).decision.actions.size(), 7u);
+  EXPECT_EQ(active.last.bodies.at(0).decision.actions[3], "slower");
+  EXPECT_GE(active.last.bodies.at(0).decision.chosen, 0);
 }
 
 /// The filter has no input: it does not know how the operator moves the camera.

@@ -71,7 +71,7 @@ TEST(ProgramTeam, WritesEveryVehiclesPath) {
       testing::incognita({"run", "two-robots", "--duration", "3", "--out", "run"}, scratch.folder()).code, 0);
   const std::string vehicles = bytes_of(run / "vehicles.csv");
   EXPECT_EQ(std::count(vehicles.begin(), vehicles.end(), '\n'), 1 + 2 * 30);
-  EXPECT_SAYS(vehicles, "t,vehicle,x_m,y_m,z_m,heading_rad,two_sigma_x_m");
+  EXPECT_SAYS(vehicles, "t,vehicle,state,x_m,y_m,z_m,heading_rad,two_sigma_x_m");
   EXPECT_SAYS(vehicles, "input_speed_m_s,input_turn_rate_rad_s");
   EXPECT_SAYS(bytes_of(run / "measurements.csv"), ",2,sensor-1,1,body,") << "the second measures the first";
   for (const char* file : {"estimate-2.tum", "truth-2.tum", "covariance-2.csv"})
@@ -205,6 +205,25 @@ TEST(ProgramTeam, DecidesAndReportsItsScores) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(testing::summary_of(scratch.folder() / "run")["decisions"], 5);
   EXPECT_SAYS(bytes_of(scratch.folder() / "run/actions.csv"), "t,chosen,");
+  EXPECT_FALSE(std::filesystem::exists(scratch.folder() / "run/actions-2.csv"));
+}
+
+TEST(ProgramTeam, RecordsTheDecisionsOfEachVehicle) {
+  const Scratch scratch;
+  const Ended ended = testing::incognita({"run", "two-robots", "--duration", "3", "--set",
+                                          "controller.law=active", "--out", "run", "--no-figures"},
+                                         scratch.folder());
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(testing::summary_of(scratch.folder() / "run")["decisions"], 6);
+  for (const char* file : {"run/actions.csv", "run/actions-2.csv"}) {
+    const std::string rows = bytes_of(scratch.folder() / file);
+    EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 4) << file;
+    EXPECT_EQ(rows.find("t,chosen,"), 0u) << rows;
+  }
+  const Ended again = testing::incognita({"run", "circle", "--duration", "1", "--out", "run", "--no-figures"},
+                                         scratch.folder());
+  ASSERT_EQ(again.code, 0) << again.err;
+  EXPECT_FALSE(std::filesystem::exists(scratch.folder() / "run/actions-2.csv")) << "of the earlier run";
 }
 
 TEST(ProgramTeam, RefusesInvalidSettingsAndLeavesNothing) {

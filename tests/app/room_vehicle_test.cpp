@@ -76,15 +76,15 @@ TEST(RoomVehicle, DecidesDeterministically) {
   const Ran ran = explored({"run.duration_s=5", "run.rate_hz=15"}),
             again = explored({"run.duration_s=5", "run.rate_hz=15"});
   EXPECT_EQ(ran.lost, 0);
-  EXPECT_EQ(ran.last.decision.actions.size(), 7u);
-  EXPECT_GE(ran.last.decision.chosen, 0);
-  EXPECT_GT(ran.last.decision.coverage.value_or(0), 0.05);
+  EXPECT_EQ(ran.last.bodies.at(0).decision.actions.size(), 7u);
+  EXPECT_GE(ran.last.bodies.at(0).decision.chosen, 0);
+  EXPECT_GT(ran.last.coverage.value_or(0), 0.05);
   EXPECT_LT(ran.rms_m, 0.1);
   const Ran stood = explored({"run.duration_s=5", "run.rate_hz=15", "decision.strategy=none"});
   EXPECT_GT((ran.last.bodies[0].truth->position - stood.last.bodies[0].truth->position).norm(), 0.2)
       << "it drove";
   EXPECT_EQ(ran.last.bodies[0].estimate.position, again.last.bodies[0].estimate.position);
-  EXPECT_EQ(ran.last.decision.scores, again.last.decision.scores);
+  EXPECT_EQ(ran.last.bodies.at(0).decision.scores, again.last.bodies.at(0).decision.scores);
 }
 
 TEST(RoomVehicle, AvoidsWalls) {

@@ -65,7 +65,7 @@ TEST(Decision, MovesAcrossTheLineOfSightToGainDepth) {
   const auto decision = decide_for(one_camera(steady));
   const BodyGoal goal = decision->choose(estimate, Tick{0, 0, 0}).bodies.at(0);
   ASSERT_TRUE(goal.decided);
-  const std::string chosen = decision->actions()[goal.chosen];
+  const std::string chosen = decision->actions(0)[goal.chosen];
   EXPECT_TRUE(chosen == "go_left" || chosen == "go_right" || chosen == "go_up" || chosen == "go_down")
       << chosen;
   EXPECT_NEAR((goal.to - goal.from).norm(), 0.3, 1e-12);
@@ -90,7 +90,7 @@ TEST(Decision, ExcludesGoalsOutsideTheBounds) {
   settings.min_bound_m = {-0.1, -0.1, -0.1};
   settings.max_bound_m = {0.1, 0.1, 0.1};
   const auto decision = decide_for(one_camera(), {settings});
-  EXPECT_EQ(decision->actions()[decision->choose(estimate, Tick{0, 0, 0}).bodies.at(0).chosen], "stay");
+  EXPECT_EQ(decision->actions(0)[decision->choose(estimate, Tick{0, 0, 0}).bodies.at(0).chosen], "stay");
 }
 
 TEST(Decision, HasNoActionWhenLost) {

@@ -113,7 +113,7 @@ double gain_of_staying(std::vector<PointSensor> sensors) {
   ActiveSettings active;
   active.decision.min_bound_m.setConstant(-9), active.decision.max_bound_m.setConstant(9);
   const auto decision = decide_for(SlamEstimator(settings), active);
-  const auto& names = decision->actions();
+  const auto& names = decision->actions(0);
   const auto stay = static_cast<std::size_t>(std::ranges::find(names, "stay") - names.begin());
   return decision->choose(e, Tick{0, 0, 0}).bodies.at(0).scores.at(stay);
 }

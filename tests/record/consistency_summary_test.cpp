@@ -107,6 +107,7 @@ Snapshot team_at(int frame, double first_off, double second_off, bool second_has
   s.status.state = TrackingState::tracking;
   for (const double off : {first_off, second_off}) {
     SnapshotBody v;
+    v.state = TrackingState::tracking;
     v.estimate.position.x() = 0.1 * off;
     v.covariance.diagonal() << 0.01, 0.01, 0, 0, 0, 0.01;
     if (s.bodies.empty() || second_has_truth) v.truth = StampedPose{};

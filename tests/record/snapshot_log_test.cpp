@@ -147,9 +147,9 @@ TEST(SnapshotLog, HasTheSnapshotsValues) {
   EXPECT_EQ(json["nis"], snapshot.nis);
   EXPECT_EQ(json["nis_dof"], 10);
   EXPECT_EQ(json["entropy"]["total"], snapshot.entropy.total);
-  EXPECT_EQ(json["decision"]["candidates"][2]["action"], "back");
-  EXPECT_EQ(json["decision"]["candidates"][2]["score"], snapshot.decision.scores[2]);
-  EXPECT_EQ(json["decision"]["chosen"], snapshot.decision.chosen);
+  EXPECT_EQ(body["decision"]["candidates"][2]["action"], "back");
+  EXPECT_EQ(body["decision"]["candidates"][2]["score"], snapshot.bodies.at(0).decision.scores[2]);
+  EXPECT_EQ(body["decision"]["chosen"], snapshot.bodies.at(0).decision.chosen);
   EXPECT_EQ(body["input"][1], 0.2);
   ASSERT_EQ(json["matches"].size(), 8u);
   EXPECT_NEAR(json["matches"][3]["predicted"][1], snapshot.matches[3].predicted.y(), 1e-4);
@@ -277,7 +277,7 @@ TEST(SnapshotLog, AcceptsNonFiniteValues) {
   snapshot.matches[2].innovation_cov.setZero();
   snapshot.matches[3].measured->setConstant(unknown);
   snapshot.landmarks[3].covariance.setConstant(unknown);
-  snapshot.decision.scores[1] = -std::numeric_limits<double>::infinity();
+  snapshot.bodies.at(0).decision.scores[1] = -std::numeric_limits<double>::infinity();
   snapshot.status.reason = "\xff\"\n";
   SnapshotLog log(scratch / "run.mcap", info());
   log.publish(snapshot);

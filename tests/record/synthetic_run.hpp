@@ -77,6 +77,7 @@ inline void add_measurements(Snapshot& snapshot, RandomStream& random) {
 inline void add_pose(Snapshot& snapshot, const SyntheticRun& run, RandomStream& random) {
   const FreeCameraMotion::State<double> truth = camera_on_circle(snapshot.tick.t);
   SnapshotBody& body = snapshot.bodies.emplace_back();
+  body.state = snapshot.status.state;
   body.estimate = {snapshot.tick.t, truth.head<3>(), truth.segment<4>(3)};
   if (run.with_truth) body.truth = body.estimate;
   for (int i = 0; i < 6; ++i) {
@@ -93,11 +94,11 @@ inline void add_pose(Snapshot& snapshot, const SyntheticRun& run, RandomStream& 
   body.input << 0.1, 0.2, -0.1, 0, 0, 0;
 }
 
-inline void add_decision(Snapshot& snapshot, int frame) {
-  snapshot.decision.actions = {"stay", "forward", "back", "left", "right", "up", "down"};
-  for (int i = 0; i < 7; ++i) snapshot.decision.scores.push_back(1 + std::sin(0.3 * frame / 30 + i));
-  snapshot.decision.decided = frame % 30 == 15;
-  snapshot.decision.chosen = (frame + 15) / 30 % 7;
+inline void add_decision(SnapshotBody& body, int frame) {
+  body.decision.actions = {"stay", "forward", "back", "left", "right", "up", "down"};
+  for (int i = 0; i < 7; ++i) body.decision.scores.push_back(1 + std::sin(0.3 * frame / 30 + i));
+  body.decision.decided = frame % 30 == 15;
+  body.decision.chosen = (frame + 15) / 30 % 7;
 }
 
 inline Snapshot synthetic_snapshot(const SyntheticRun& run, int frame, double pace_ms = 5) {
@@ -109,7 +110,7 @@ inline Snapshot synthetic_snapshot(const SyntheticRun& run, int frame, double pa
   add_pose(snapshot, run, random);
   add_map(snapshot, frame / 10);
   add_measurements(snapshot, random);
-  add_decision(snapshot, frame);
+  add_decision(snapshot.bodies.at(0), frame);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   snapshot.entropy = {-50.0 - 0.01 * frame, 3.0 * (frame / 10), -50 - 0.01 * frame + 3.0 * (frame / 10)};
   if (frame < run.starting) snapshot.entropy = {unknown, unknown, unknown};

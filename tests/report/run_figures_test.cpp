@@ -155,8 +155,8 @@ TEST(RunFigures, QuoteNames) {
   const Scratch scratch;
   Recorder recorder(scratch / "run", RunInfo{});
   Snapshot snapshot = testing::synthetic_snapshot({}, 45);
-  snapshot.decision.actions[0] = "'; system('touch hacked'); '`touch hacked`\\";
-  snapshot.decision.chosen = 0;
+  snapshot.bodies.at(0).decision.actions[0] = "'; system('touch hacked'); '`touch hacked`\\";
+  snapshot.bodies.at(0).decision.chosen = 0;
   recorder.publish(snapshot);
   recorder.finish(RunStatus::done, "");
   EXPECT_EQ(draw_run_figures(scratch / "run"), std::vector<std::string>{});

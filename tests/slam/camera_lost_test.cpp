@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "incognita/slam/estimator/single_camera.hpp"
 #include "incognita/slam/mapper/health.hpp"
@@ -57,7 +59,7 @@ TEST(CameraLost, ACoveredLensIsDegradedAndThenLost) {
     for (int i = 1; i < t.settings.health.max_ticks; ++i) {
       covered ? t.see_gray() : t.see_nothing();
       EXPECT_EQ(t.estimate.status.state, TrackingState::degraded) << i;
-      EXPECT_EQ(t.estimate.health.frames_with_few, i);
+      EXPECT_EQ(t.estimate.body().health.frames_with_few, i);
       EXPECT_EQ(t.estimate.last.matched, 0);
       EXPECT_NE(t.estimate.status.reason.find("0 of "), std::string::npos) << t.estimate.status.reason;
       ASSERT_EQ(t.estimate.landmarks.size(), landmarks) << "none is deleted, none begun";
@@ -78,7 +80,7 @@ TEST(CameraLost, NotAfterAShortBlink) {
   EXPECT_EQ(t.estimate.status.state, TrackingState::degraded);
   t.see(wall_with_sheet().shared_view(t.truth));
   EXPECT_EQ(t.estimate.status.state, TrackingState::tracking) << t.estimate.status.reason;
-  EXPECT_EQ(t.estimate.health.frames_with_few, 0);
+  EXPECT_EQ(t.estimate.body().health.frames_with_few, 0);
   EXPECT_LT(t.position_error_m(), 0.02);
 }
 
@@ -157,7 +159,7 @@ TEST(CameraLost, IsRelocatedWhenTheViewIsBack) {
   EXPECT_GE(t.estimate.last.matched, 6);
   EXPECT_NE(t.estimate.status.reason.find(std::to_string(t.estimate.last.matched)), std::string::npos)
       << t.estimate.status.reason;
-  EXPECT_EQ(t.estimate.health.frames_with_few, 0);
+  EXPECT_EQ(t.estimate.body().health.frames_with_few, 0);
   EXPECT_LT(t.position_error_m(), 0.03);
   EXPECT_LT(sigma_position(t.estimate.body()), 0.1);
   for (int i = 0; i < 5; ++i) {
@@ -224,6 +226,60 @@ TEST(CameraLost, ForgetsItsDepthLines) {
   }
   EXPECT_EQ(estimate.landmarks.size(), 4u) << "the anchors stay";
   EXPECT_EQ(estimate.belief.errors(), 12);
+}
+
+/// Two cameras side by side; the lens of the second is covered and uncovered again.
+struct TwoCameras {
+  SlamEstimator estimator = of_two(Tracked::defaults());
+  Estimate estimate;
+  int k = 0;
+
+  static SlamEstimator of_two(const CameraSlamSettings& s) {
+    EstimatorSettings settings;
+    settings.bodies = {free_camera_body(s.filter), free_camera_body(s.filter)};
+    settings.health = s.health;
+    std::vector<FeatureTracker> cameras;
+    for (std::size_t body = 0; body < 2; ++body)
+      cameras.emplace_back(camera, s, CameraPlacement{.body = body, .target = sheet_target()}, body + 1);
+    return SlamEstimator(std::move(settings), std::move(cameras));
+  }
+  CameraState truth(std::size_t body) const {
+    return camera_at({0, 0.02 * std::min(k, 8) - 0.1 * static_cast<double>(body), 0});
+  }
+  void see(bool second_is_covered) {
+    Observation observation;
+    for (std::size_t body = 0; body < 2; ++body)
+      observation.bodies.push_back(seeing(wall_with_sheet().shared_view(truth(body))).bodies[0]);
+    if (second_is_covered) observation.bodies[1] = seeing_gray(8).bodies[0];
+    estimator.update(estimate, {}, observation, tick(k));
+    ++k;
+  }
+  TrackingState state(std::size_t body) const { return estimate.bodies[body].status.state; }
+};
+
+TEST(CameraLost, DoesNotDisturbTheOtherBodiesOfATeam) {
+  TwoCameras t;
+  for (int i = 0; i < 12; ++i) t.see(false);
+  ASSERT_EQ(t.estimate.status.state, TrackingState::tracking) << t.estimate.status.reason;
+  for (int i = 0; i < 15; ++i) {
+    t.see(true);
+    ASSERT_EQ(t.state(0), TrackingState::tracking) << i << t.estimate.bodies[0].status.reason;
+    EXPECT_LT(sigma_position(t.estimate.bodies[0]), 0.05) << "it is not searched for, which adds 0.1 m";
+  }
+  EXPECT_EQ(t.state(1), TrackingState::lost);
+  EXPECT_GT(sigma_position(t.estimate.bodies[1]), 0.1);
+  EXPECT_EQ(t.estimate.status.state, TrackingState::lost) << "of the body that is worst";
+  EXPECT_EQ(t.estimate.status.reason.find("vehicle 2: 10 frames in a row"), 0u) << t.estimate.status.reason;
+  t.see(false);
+  EXPECT_EQ(t.state(0), TrackingState::tracking);
+  EXPECT_EQ(t.state(1), TrackingState::relocated) << t.estimate.bodies[1].status.reason;
+  EXPECT_EQ(t.estimate.status.state, TrackingState::relocated);
+  t.see(false);
+  EXPECT_EQ(t.estimate.status.state, TrackingState::tracking) << t.estimate.status.reason;
+  for (std::size_t body = 0; body < 2; ++body) {
+    const auto error = camera_error(t.truth(body), t.estimate.belief.mean(t.estimate.bodies[body].block));
+    EXPECT_LT(error.head<3>().norm(), 0.03) << body;
+  }
 }
 
 }  // namespace

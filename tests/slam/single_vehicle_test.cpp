@@ -209,6 +209,26 @@ TEST(SingleVehicle, WaitsForTheFirstFixWhenItIsToStartThere) {
   EXPECT_EQ(pose(e).head<2>(), Eigen::Vector2d(3, 4));
 }
 
+/// Its error is that of the start: used again as a measurement, it would be counted twice.
+TEST(SingleVehicle, TheFixThatItStartsAtIsNoMeasurement) {
+  PlanarSlamSettings s = drive_settings();
+  s.start.at_first_fix = true;
+  s.start.sigma_position_m = 0.3;
+  s.filter.use_fixes = true;
+  s.filter.sigma_fix_m = 0.3;
+  SlamEstimator estimator(single_vehicle(s));
+  Estimate e;
+  Observation observation = of_one();
+  observation.bodies[0].fixes = {{0, {3, 4}}};
+  estimator.update(e, {}, observation, {0, 0, 0});
+  EXPECT_NEAR(e.belief.covariance(e.body().block)(0, 0), 0.09, 1e-12);
+  EXPECT_TRUE(e.last.fixes.empty());
+  observation.bodies[0].fixes = {{1, {3, 4}}};
+  estimator.update(e, {}, observation, {1, 1, 1});
+  EXPECT_EQ(e.last.fixes.size(), 1u) << "the next one is";
+  EXPECT_LT(e.belief.covariance(e.body().block)(0, 0), 0.06);
+}
+
 TEST(SingleVehicle, RefusesAKnownLandmarkFarFromWhereItIs) {
   const PlanarSlamSettings s = drive_settings();
   SlamEstimator estimator(single_vehicle(s));

@@ -91,7 +91,7 @@ void expect_same(const Estimate& a, const Estimate& b) {
 
 void nothing(Observation&) {}
 
-TEST(TeamAssociation, FindsWhatNamesWouldHaveTold) {
+TEST(TeamAssociation, FindsTheLandmarksThatIdentitiesGive) {
   const Estimate identified = estimate_of(Drive(1, DataAssociationSettings::Method::known), nothing);
   const Estimate found = estimate_of(Drive(), nothing);
   ASSERT_EQ(found.mapped_count(), 10);
@@ -112,7 +112,7 @@ TEST(TeamAssociation, FindsWhatNamesWouldHaveTold) {
   EXPECT_LT(used, 10 * 60 * 0.99);
 }
 
-TEST(TeamAssociation, ReadsNoNameButAnAnchors) {
+TEST(TeamAssociation, UsesNoIdentityButThatOfAnchors) {
   std::mt19937 random(3);
   const Estimate plain = estimate_of(Drive(2), nothing);
   EXPECT_EQ(plain.mapped_count(), 10);
@@ -131,7 +131,7 @@ TEST(TeamAssociation, ReadsNoNameButAnAnchors) {
               }));
 }
 
-TEST(TeamAssociation, DoesNotDependOnTheOrderOfSightings) {
+TEST(TeamAssociation, DoesNotDependOnTheOrderOfDetections) {
   std::mt19937 random(5);
   expect_same(estimate_of(Drive(2), nothing), estimate_of(Drive(2), [&](Observation& observation) {
                 for (BodyObservation& view : observation.bodies)
@@ -139,7 +139,7 @@ TEST(TeamAssociation, DoesNotDependOnTheOrderOfSightings) {
               }));
 }
 
-TEST(TeamAssociation, ByNamesWhatHasNoneIsLeftAlone) {
+TEST(TeamAssociation, ByIdentityLeavesOutDetectionsWithoutOne) {
   const Estimate e =
       estimate_of(Drive(1, DataAssociationSettings::Method::known), [](Observation& observation) {
         for (PointDetection& s : observation.bodies[0].landmarks)
@@ -174,7 +174,7 @@ struct OneLandmark {
   }
 };
 
-TEST(TeamAssociation, HasAGateForMatchesAndAWiderOneForBirths) {
+TEST(TeamAssociation, HasAGateForMatchesAndAWiderOneForNewLandmarks) {
   const OneLandmark one;
   ASSERT_EQ(one.e.landmarks.size(), 1u);
   const double gate = std::sqrt(chi_square_quantile(0.95, 2)),

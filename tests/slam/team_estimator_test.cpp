@@ -73,7 +73,7 @@ int doubted(double noise) {
   return count;
 }
 
-TEST(SlamEstimator, DoubtsItselfWhereSightingsAreFarFromWhatItExpects) {
+TEST(SlamEstimator, IsDegradedByLargeInnovations) {
   EXPECT_EQ(doubted(1), 0);
   EXPECT_EQ(doubted(1.5), 0) << "noises are never known that well";
   EXPECT_GT(doubted(4), 80);

@@ -1,5 +1,5 @@
-// What a vehicle of a team sees of another, and of landmarks, as the filter takes it: predictions and
-// Jacobians by both against differences of the belief's means.
+// Measurements of a team, as the filter linearizes them: Jacobians with respect to both bodies against differences of the
+// means, and the measurements that are too nonlinear to be used.
 #include "incognita/slam/mapper/measurements.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 
 #include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
+#include "incognita/slam/mapper/landmarks.hpp"
 #include "tests/small_vectors.hpp"
 
 namespace incognita {
@@ -55,7 +56,7 @@ SmallMatrix differences(Pair pair, BlockId block, const Chart& of, const PointDe
   return J;
 }
 
-TEST(TeamLooks, OfAnotherVehicleAreDerivedByBothInAnyPlace) {
+TEST(TeamMeasurements, OfAnotherVehicleHaveJacobiansWithRespectToBoth) {
   WideAngleCamera lens;
   const Mount mount{.forward_m = 0.1, .up_m = 0.7};
   const SmallVector here = vec({0, 0, 0.1}), there = vec({4, 1, 2});
@@ -91,6 +92,42 @@ TEST(TeamLooks, OfAnotherVehicleAreDerivedByBothInAnyPlace) {
       EXPECT_LE((by.H - found).norm(), 1e-5 * found.norm()) << by.H << "\n\n" << found;
     }
   }
+}
+
+/// The first vehicle initializes a landmark ahead of it by its bearing alone: the depth is unknown.
+Pair pair_with_unknown_depth(const SmallVector& second) {
+  const AnyMotion motion = DifferentialDrive{0.2, 0};
+  Pair pair = pair_of(motion, BearingSensor{}, vec({0, 0, 0}), second);
+  for (BodyModel& body : pair.settings.bodies) body.sensors[0].sigmas.setConstant(0.01);
+  EXPECT_TRUE(initialize_from_detection(pair.estimate, 0, {7, vec({0.0})}, pair.settings));
+  return pair;
+}
+
+TEST(TeamMeasurements, OfUnknownDepthAreUsedNearTheRayOfTheirInitializationOnly) {
+  const PointDetection detection{7, vec({-0.5})};
+  const auto is_used = [&](const SmallVector& second, int body) {
+    const Pair pair = pair_with_unknown_depth(second);
+    return linearize_detection(pair.estimate, body, false, detection, pair.settings).has_value();
+  };
+  EXPECT_TRUE(is_used(vec({0, 4, 0}), 0)) << "the body that initialized it";
+  EXPECT_FALSE(is_used(vec({0, 4, 0}), 1))
+      << "4 m beside the ray: its bearing may be anything from -90 to 0 deg";
+  EXPECT_TRUE(is_used(vec({0, 0.05, 0}), 1)) << "5 cm beside it";
+  EXPECT_TRUE(is_used(vec({-1, 0, 0}), 1)) << "on the ray, behind";
+}
+
+TEST(TeamMeasurements, OfUnknownDepthAreUsedOnceTheDepthIsKnown) {
+  Pair pair = pair_with_unknown_depth(vec({0, 4, 0}));
+  const PointDetection detection{7, vec({-0.5})};
+  ASSERT_FALSE(linearize_detection(pair.estimate, 1, false, detection, pair.settings));
+  const Landmark& landmark = pair.estimate.landmarks.at(7);
+  const auto depth = pair.estimate.belief.mean(landmark.block).size() - 1;
+  LinearizedMeasurement known;  // of the inverse depth
+  known.add(landmark.block, SmallMatrix(SmallVector::Unit(depth + 1, depth).transpose()));
+  known.residual = vec({0.0});
+  known.R = SmallMatrix::Constant(1, 1, 1e-6);
+  pair.estimate.belief.update({&known, 1});
+  EXPECT_TRUE(linearize_detection(pair.estimate, 1, false, detection, pair.settings));
 }
 
 }  // namespace

@@ -22,9 +22,10 @@ struct Health {
   }
   TrackingStatus after(int matched, int searched = 12) {
     estimate.last.restart();
-    estimate.last.matched = estimate.last.image_matches = matched;
-    estimate.last.predicted = searched;
-    return assess(estimate, true, settings);
+    estimate.last.matched = matched;
+    estimate.bodies[0].counts = {searched, matched, matched};
+    count_doubted(estimate, settings.health);
+    return assess(estimate, 0, 1, settings);
   }
 };
 
@@ -33,7 +34,7 @@ TEST(Health, TenFramesWithFewMatchesAreLost) {
   EXPECT_EQ(health.after(12).state, TrackingState::tracking);
   for (int frame = 1; frame < 10; ++frame) {
     EXPECT_EQ(health.after(2).state, TrackingState::degraded) << "frame " << frame;
-    EXPECT_EQ(health.estimate.health.frames_with_few, frame);
+    EXPECT_EQ(health.estimate.body().health.frames_with_few, frame);
   }
   const TrackingStatus status = health.after(2);
   EXPECT_EQ(status.state, TrackingState::lost);
@@ -45,7 +46,7 @@ TEST(Health, OneGoodFrameStartsTheCountAgain) {
   Health health;
   for (int frame = 0; frame < 9; ++frame) health.after(0);
   EXPECT_EQ(health.after(3).state, TrackingState::tracking);
-  EXPECT_EQ(health.estimate.health.frames_with_few, 0);
+  EXPECT_EQ(health.estimate.body().health.frames_with_few, 0);
   for (int frame = 0; frame < 9; ++frame) EXPECT_EQ(health.after(0).state, TrackingState::degraded);
   EXPECT_EQ(health.after(0).state, TrackingState::lost);
 }

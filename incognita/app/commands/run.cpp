@@ -64,10 +64,12 @@ class StateReporter {
     if (!is_lost && was_lost_)
       print_message("t = {:.3f} s: {}: {}\n", s.tick.t, name(s.status.state), s.status.reason);
     was_lost_ = is_lost;
-    const bool shown = !s.bodies.empty() && s.bodies.front().operator_controlled;
-    if (shown && s.decision.decided && s.decision.chosen >= 0)
-      print_message("t = {:.2f} s: {}\n", s.tick.t,
-                    s.decision.actions[static_cast<std::size_t>(s.decision.chosen)]);
+    for (std::size_t i = 0; i < s.bodies.size(); ++i) {
+      const SnapshotDecision& decision = s.bodies[i].decision;
+      if (!s.bodies[i].operator_controlled || !decision.decided || decision.chosen < 0) continue;
+      const std::string who = s.bodies.size() > 1 ? fmt::format("operator {}: ", i + 1) : "";
+      print_message("t = {:.2f} s: {}{}\n", s.tick.t, who, chosen_action(decision));
+    }
   }
 
  private:

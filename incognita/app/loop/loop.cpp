@@ -32,7 +32,7 @@ void run_loop(LoopParts& parts, const std::function<void(const Snapshot&)>& publ
       estimate.belief.clear_trace();
       stage.mark("watch");
     }
-    publish(snapshot_of(tick, truth, observation, estimate, goal, strategy->actions(), command, timing_ms));
+    publish(snapshot_of(tick, truth, observation, estimate, goal, *strategy, command, timing_ms));
   }
 }
 

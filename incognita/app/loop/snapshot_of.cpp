@@ -45,12 +45,24 @@ void put_truth(const BodyTruth& truth, double t, SnapshotBody& out) {
   out.truth->oriented = truth.orientation_known;
 }
 
+SnapshotDecision decision_of(const BodyGoal& goal, const std::vector<std::string>& actions) {
+  return {actions, goal.scores, goal.chosen, goal.decided};
+}
+
+/// A single body has the state of the estimate, which is all that an estimator of one body needs to set.
+TrackingState state_of(const Estimate& e, std::size_t body) {
+  return e.bodies.size() > 1 ? e.bodies[body].status.state : e.status.state;
+}
+
 /// Before the start the bodies of the truth.
 std::vector<SnapshotBody> bodies_of(const Estimate& e, const std::optional<Truth>& truth,
                                     const Command& command, double t) {
   std::vector<SnapshotBody> bodies(std::max(e.bodies.size(), truth ? truth->bodies.size() : 0));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (i < e.bodies.size()) put_estimate(e.bodies[i], t, bodies[i]);
+    if (i < e.bodies.size()) {
+      put_estimate(e.bodies[i], t, bodies[i]);
+      bodies[i].state = state_of(e, i);
+    }
     if (truth && i < truth->bodies.size()) put_truth(truth->bodies[i], t, bodies[i]);
     const BodyCommand& commanded = command_of(command, i);
     bodies[i].reference = commanded.reference;
@@ -104,24 +116,11 @@ SnapshotMatch match_of(const Match& match) {
   return out;
 }
 
-SnapshotDecision decision_of(const Goal& goal, const std::vector<std::string>& actions) {
-  SnapshotDecision decision;
-  decision.actions = actions;
-  decision.coverage = goal.coverage;
-  decision.entropy_extended = goal.entropy_extended;
-  if (goal.bodies.empty()) return decision;
-  const BodyGoal& first = goal.bodies.front();
-  decision.scores = first.scores;
-  decision.chosen = first.chosen;
-  decision.decided = first.decided;
-  return decision;
-}
-
 }  // namespace
 
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& observation,
-                     const Estimate& e, const Goal& goal, const std::vector<std::string>& actions,
-                     const Command& command, const StageTimes& loop_ms) {
+                     const Estimate& e, const Goal& goal, const Strategy& strategy, const Command& command,
+                     const StageTimes& loop_ms) {
   Snapshot s;
   s.tick = tick;
   s.image = image_of(body_of(observation, 0));
@@ -136,7 +135,10 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
     s.nis_dof = e.last.update.rows;
   }
   s.entropy = {e.entropy.vehicle, e.entropy.map, e.entropy.total};
-  s.decision = decision_of(goal, actions);
+  for (std::size_t i = 0; i < std::min(goal.bodies.size(), s.bodies.size()); ++i)
+    s.bodies[i].decision = decision_of(goal.bodies[i], strategy.actions(i));
+  s.coverage = goal.coverage;
+  s.entropy_extended = goal.entropy_extended;
   s.timing_ms = timing_of(e.timing_ms, loop_ms);
   return s;
 }

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include "incognita/decision/strategy.hpp"
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/observation.hpp"
@@ -22,7 +22,7 @@ using StageTimes = std::vector<std::pair<const char*, double>>;
 /// that was not executed. The stage `frame` is the computation that a real robot needs: estimator, decision and
 /// control, without simulation and recording.
 Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const Observation& observation,
-                     const Estimate& estimate, const Goal& goal, const std::vector<std::string>& actions,
+                     const Estimate& estimate, const Goal& goal, const Strategy& strategy,
                      const Command& command, const StageTimes& loop_ms);
 
 }  // namespace incognita

@@ -93,16 +93,28 @@ Json match() {
        {"correlation", number("of the best match in the image"), sometimes}});
 }
 
+Json decision() {
+  const Json candidate =
+      object({{"action", text()}, {"score", number("in nats unless the metric is a trace"), sometimes}});
+  return object({{"decided", flag("whether a decision was taken in this frame")},
+                 {"chosen", integer("index of the current action, -1 for none")},
+                 {"candidates", array(candidate)}});
+}
+
+Json states() { return one_of({"starting", "tracking", "degraded", "lost", "relocated"}); }
+
 Json body() {
-  return object({{"position", xyz("m, world")},
-                 {"orientation", quaternion("world_from_body")},
+  return object({{"state", states()},
+                 {"position", xyz("m, world; not while starting or lost"), sometimes},
+                 {"orientation", quaternion("world_from_body"), sometimes},
                  {"pose_covariance",
                   array(number(), "6x6, row-major: x y z (m, world), rotation (rad, body axes)"), sometimes},
                  {"velocity", xyz("m/s, world; of a free camera"), sometimes},
                  {"angular_rate", xyz("rad/s, camera axes; of a free camera"), sometimes},
                  {"reference", array(number(), "x, y, z (m) and heading (rad)"), sometimes},
                  {"input", array(number(), "commanded, as its motion model takes it"), sometimes},
-                 {"operator_controlled", flag("an operator moves it")}});
+                 {"operator_controlled", flag("an operator moves it")},
+                 {"decision", decision()}});
 }
 
 Json landmark() {
@@ -117,13 +129,6 @@ Json entropy() {
   return object(
       {{"vehicle", number(), sometimes}, {"map", number(), sometimes}, {"total", number(), sometimes}},
       "nats");
-}
-
-Json decision() {
-  const Json candidate = object({{"action", text()}, {"score", number("nats"), sometimes}});
-  return object({{"decided", flag("whether a decision was taken in this frame")},
-                 {"chosen", integer("index of the current action, -1 for none")},
-                 {"candidates", array(candidate)}});
 }
 
 }  // namespace
@@ -184,15 +189,16 @@ std::string snapshot() {
       object({{"frame", integer("counts from 0")},
               {"t", number("s")},
               {"dt", number("s, since the previous frame")},
-              {"state", one_of({"starting", "tracking", "degraded", "lost", "relocated"})},
+              {"state", states()},
               {"reason", text("reason for the state")},
-              {"bodies", array(body(), "empty while starting or lost")},
+              {"bodies", array(body())},
               {"matched", integer("measurements that updated the filter")},
               {"predicted", integer("measurements predicted")},
               {"nis_dof", integer("degrees of freedom; 0 without an update")},
               {"nis", number("normalized innovation squared, sum over the measurements"), sometimes},
               {"entropy", entropy()},
-              {"decision", decision()},
+              {"coverage", number("viewed share of the exploration volume"), sometimes},
+              {"entropy_extended", number("nats, with expected landmarks"), sometimes},
               {"matches", array(match())},
               {"landmark_ids", array(integer())},
               {"landmarks", array(landmark(), "about once a second"), sometimes}}));

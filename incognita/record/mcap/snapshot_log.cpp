@@ -59,7 +59,7 @@ void SnapshotLog::put_poses(const Snapshot& snapshot) {
   for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
     const SnapshotBody& body = snapshot.bodies[i];
     const std::string frame = i == 0 ? body_ : body_ + "_" + std::to_string(i + 1);
-    if (has_pose(snapshot) && finite(body.estimate)) {
+    if (has_pose(body) && finite(body.estimate)) {
       put(transforms, frame_transform(time_ns_, world, frame, body.estimate));
       if (i == 0) put(estimated_poses, pose_in_frame(time_ns_, world, body.estimate));
     }

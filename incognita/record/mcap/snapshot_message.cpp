@@ -53,26 +53,38 @@ Json match_json(const SnapshotMatch& match) {
   return json;
 }
 
-Json body_json(const SnapshotBody& body) {
+Json decision_json(const SnapshotDecision& decision) {
+  Json json{{"decided", decision.decided}, {"chosen", decision.chosen}};
+  Json& candidates = json["candidates"] = Json::array();
+  for (std::size_t i = 0; i < decision.actions.size(); ++i) {
+    Json candidate = Json::object();
+    candidate["action"] = decision.actions[i];
+    if (i < decision.scores.size()) put(candidate, "score", decision.scores[i]);
+    candidates.push_back(std::move(candidate));
+  }
+  return json;
+}
+
+void put_pose(Json& json, const SnapshotBody& body) {
+  if (!has_pose(body) || !body.estimate.position.allFinite()) return;
   const Eigen::Vector4d& q = body.estimate.orientation;
-  Json json{{"position", xyz(body.estimate.position)},
-            {"orientation", {{"x", q[1]}, {"y", q[2]}, {"z", q[3]}, {"w", q[0]}}}};
+  json["position"] = xyz(body.estimate.position);
+  json["orientation"] = {{"x", q[1]}, {"y", q[2]}, {"z", q[3]}, {"w", q[0]}};
   put(json, "pose_covariance", Eigen::MatrixXd(body.covariance));
   if (body.velocity) {
     json["velocity"] = xyz(body.velocity->head<3>());
     json["angular_rate"] = xyz(body.velocity->tail<3>());
   }
+}
+
+Json body_json(const SnapshotBody& body) {
+  Json json{{"state", name(body.state)}};
+  put_pose(json, body);
   if (body.reference) put(json, "reference", Eigen::MatrixXd(*body.reference));
   if (body.input.size() > 0) put(json, "input", Eigen::MatrixXd(body.input));
   json["operator_controlled"] = body.operator_controlled;
+  json["decision"] = decision_json(body.decision);
   return json;
-}
-
-void put_bodies(Json& json, const Snapshot& snapshot) {
-  Json& bodies = json["bodies"] = Json::array();
-  if (!has_pose(snapshot)) return;
-  for (const SnapshotBody& body : snapshot.bodies)
-    if (body.estimate.position.allFinite()) bodies.push_back(body_json(body));
 }
 
 Json landmark_json(const SnapshotLandmark& landmark) {
@@ -92,18 +104,6 @@ Json entropy_json(const SnapshotEntropy& entropy) {
   return json;
 }
 
-Json decision_json(const SnapshotDecision& decision) {
-  Json json{{"decided", decision.decided}, {"chosen", decision.chosen}};
-  Json& candidates = json["candidates"] = Json::array();
-  for (std::size_t i = 0; i < decision.actions.size(); ++i) {
-    Json candidate = Json::object();
-    candidate["action"] = decision.actions[i];
-    if (i < decision.scores.size()) put(candidate, "score", decision.scores[i]);
-    candidates.push_back(std::move(candidate));
-  }
-  return json;
-}
-
 }  // namespace
 
 std::string snapshot_message(const Snapshot& snapshot, bool landmarks) {
@@ -112,13 +112,15 @@ std::string snapshot_message(const Snapshot& snapshot, bool landmarks) {
             {"dt", snapshot.tick.dt},
             {"state", name(snapshot.status.state)},
             {"reason", snapshot.status.reason}};
-  put_bodies(json, snapshot);
+  Json& bodies = json["bodies"] = Json::array();
+  for (const SnapshotBody& body : snapshot.bodies) bodies.push_back(body_json(body));
   json["matched"] = snapshot.matched;
   json["predicted"] = snapshot.predicted;
   json["nis_dof"] = snapshot.nis_dof;
   if (snapshot.nis_dof > 0) put(json, "nis", snapshot.nis);
   json["entropy"] = entropy_json(snapshot.entropy);
-  json["decision"] = decision_json(snapshot.decision);
+  if (snapshot.coverage) put(json, "coverage", *snapshot.coverage);
+  if (snapshot.entropy_extended) put(json, "entropy_extended", *snapshot.entropy_extended);
   Json& matches = json["matches"] = Json::array();
   for (const SnapshotMatch& match : snapshot.matches) matches.push_back(match_json(match));
   Json& ids = json["landmark_ids"] = Json::array();

@@ -32,9 +32,13 @@ Eigen::VectorXd errors(const SnapshotBody* body) {
 
 }  // namespace
 
-bool has_pose(const Snapshot& snapshot) {
-  return snapshot.status.state != TrackingState::starting && snapshot.status.state != TrackingState::lost &&
-         !snapshot.bodies.empty();
+bool has_pose(const SnapshotBody& body) {
+  return body.state != TrackingState::starting && body.state != TrackingState::lost;
+}
+
+bool has_poses(const Snapshot& snapshot) {
+  return !snapshot.bodies.empty() && std::all_of(snapshot.bodies.begin(), snapshot.bodies.end(),
+                                                 [](const SnapshotBody& body) { return has_pose(body); });
 }
 
 int mapped_landmarks(const Snapshot& snapshot) {
@@ -56,7 +60,8 @@ std::vector<std::string> series_columns(bool with_errors) {
 }
 
 std::vector<double> series_row(const Snapshot& snapshot, bool with_errors) {
-  const SnapshotBody* posed = has_pose(snapshot) ? &snapshot.bodies.front() : nullptr;
+  const bool has_first = !snapshot.bodies.empty() && has_pose(snapshot.bodies.front());
+  const SnapshotBody* posed = has_first ? &snapshot.bodies.front() : nullptr;
   const PoseCovariance P = posed ? posed->covariance : PoseCovariance::Zero();
   std::vector<double> row{static_cast<double>(snapshot.matched),
                           static_cast<double>(snapshot.predicted),
@@ -68,8 +73,8 @@ std::vector<double> series_row(const Snapshot& snapshot, bool with_errors) {
                           snapshot.entropy.total,
                           snapshot.nis_dof > 0 ? snapshot.nis : unknown,
                           static_cast<double>(snapshot.nis_dof),
-                          snapshot.decision.coverage.value_or(unknown),
-                          snapshot.decision.entropy_extended.value_or(unknown)};
+                          snapshot.coverage.value_or(unknown),
+                          snapshot.entropy_extended.value_or(unknown)};
   append(row, posed ? Eigen::VectorXd(2 * P.diagonal().cwiseMax(0).cwiseSqrt())
                     : Eigen::VectorXd::Constant(6, unknown));
   if (with_errors) append(row, errors(posed));

@@ -46,8 +46,23 @@ inline const char* kind(const SnapshotMatch& match) {
   return match.of_body ? "body" : match.anchor ? "anchor" : match.ray ? "ray" : "landmark";
 }
 
+/// The decision for one body.
+struct SnapshotDecision {
+  std::vector<std::string> actions;  ///< names, constant over a run
+  std::vector<double> scores;        ///< one per action, of this frame; in nats unless the metric is a trace
+  int chosen = -1;                   ///< index of the action in force
+  bool decided = false;              ///< whether a decision was made in this frame
+};
+
+/// The name of the action in force; empty without one.
+inline std::string chosen_action(const SnapshotDecision& decision) {
+  const auto chosen = static_cast<std::size_t>(decision.chosen);
+  return decision.chosen >= 0 && chosen < decision.actions.size() ? decision.actions[chosen] : "";
+}
+
 /// One body, as a rigid body in space.
 struct SnapshotBody {
+  TrackingState state = TrackingState::starting;
   StampedPose estimate;  ///< invalid while starting or lost
   PoseCovariance covariance = PoseCovariance::Zero();
   std::optional<StampedPose> truth;
@@ -56,17 +71,7 @@ struct SnapshotBody {
   std::optional<Eigen::Vector4d> reference;  ///< x, y, z (m, world), heading (rad)
   SmallVector input;                         ///< commanded until the next tick, as its motion model takes it
   bool operator_controlled = false;          ///< an operator moves it, as the display shows
-};
-
-/// The decision for the first body.
-struct SnapshotDecision {
-  std::vector<std::string> actions;  ///< names, constant over a run
-  std::vector<double> scores;        ///< nats, one per action, of this frame
-  int chosen = -1;                   ///< index of the action in force
-  bool decided = false;              ///< whether a decision was made in this frame
-  std::optional<double> coverage;    ///< viewed share of the exploration volume
-  /// Entropy in nats of vehicle, map and expected unmapped landmarks (Figure 6.3), from the last decision.
-  std::optional<double> entropy_extended;
+  SnapshotDecision decision;
 };
 
 struct SnapshotEntropy {  ///< nats; NaN if unknown
@@ -85,7 +90,9 @@ struct Snapshot {
   double nis = 0;                           ///< normalized innovation squared of this frame's update, summed
   int nis_dof = 0;                          ///< degrees of freedom of `nis`; 0 without an update
   SnapshotEntropy entropy{};
-  SnapshotDecision decision;
+  std::optional<double> coverage;  ///< viewed share of the exploration volume
+  /// Entropy in nats of vehicle, map and expected unmapped landmarks (Figure 6.3), from the last decision.
+  std::optional<double> entropy_extended;
   std::vector<std::pair<const char*, double>> timing_ms;  ///< stage -> ms, same order in every snapshot
 };
 

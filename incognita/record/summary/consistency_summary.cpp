@@ -95,19 +95,20 @@ void ConsistencySummary::add(const Snapshot& snapshot) {
     matches_ += match.outcome == MatchOutcome::matched;
     outliers_ += match.outcome == MatchOutcome::outlier;
   }
-  if (compare_ && has_pose(snapshot)) compare(snapshot);
+  if (compare_) compare(snapshot);
 }
 
 void ConsistencySummary::compare(const Snapshot& snapshot) {
-  const bool claims = snapshot.status.state == TrackingState::tracking;
   bodies_.resize(std::max(bodies_.size(), snapshot.bodies.size()));
   bool any_truth = false, any_overconfident = false;
   for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
-    if (!snapshot.bodies[i].truth) continue;
+    const SnapshotBody& of = snapshot.bodies[i];
+    if (!of.truth || !has_pose(of)) continue;
     Body& body = bodies_[i];
-    const PoseError error = pose_error(*snapshot.bodies[i].truth, snapshot.bodies[i].estimate);
-    const PoseCovariance& P = snapshot.bodies[i].covariance;
-    const bool overconfident = claims && beyond_three_sigma(error.head<3>(), P.topLeftCorner<3, 3>());
+    const PoseError error = pose_error(*of.truth, of.estimate);
+    const PoseCovariance& P = of.covariance;
+    const bool overconfident =
+        of.state == TrackingState::tracking && beyond_three_sigma(error.head<3>(), P.topLeftCorner<3, 3>());
     ++body.frames_with_truth;
     body.overconfident_frames += overconfident;
     any_truth = true;

@@ -8,8 +8,8 @@
 namespace incognita {
 
 void ExplorationSummary::add(const Snapshot& s) {
-  if (s.decision.coverage) coverage_ = s.decision.coverage;
-  if (s.decision.entropy_extended) entropy_extended_ = s.decision.entropy_extended;
+  if (s.coverage) coverage_ = s.coverage;
+  if (s.entropy_extended) entropy_extended_ = s.entropy_extended;
   if (s.bodies.empty()) return;
   const Eigen::Vector3d& from = s.bodies.front().estimate.position;
   for (const SnapshotLandmark& l : s.landmarks) {

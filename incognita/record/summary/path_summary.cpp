@@ -5,12 +5,8 @@
 namespace incognita {
 
 void PathSummary::add(const Snapshot& s) {
-  const bool posed = has_pose(s);
-  const auto where_posed = [&](const StampedPose& pose) {
-    return posed ? std::optional(pose) : std::nullopt;
-  };
   for (std::size_t i = 0; i < s.bodies.size(); ++i)
-    add(i, s.bodies[i].truth, where_posed(s.bodies[i].estimate));
+    add(i, s.bodies[i].truth, has_pose(s.bodies[i]) ? std::optional(s.bodies[i].estimate) : std::nullopt);
 }
 
 void PathSummary::add(std::size_t body, const std::optional<StampedPose>& truth,

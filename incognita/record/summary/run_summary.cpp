@@ -165,10 +165,10 @@ void RunSummary::add(const Snapshot& snapshot) {
   if (frames_ == 0) first_t_s_ = snapshot.tick.t;
   last_t_s_ = snapshot.tick.t;
   ++frames_;
-  if (has_pose(snapshot)) ++tracked_frames_;
+  if (has_poses(snapshot)) ++tracked_frames_;
   if (snapshot.status.state == TrackingState::degraded) ++degraded_frames_;
   if (snapshot.status.state == TrackingState::lost) ++lost_frames_;
-  if (snapshot.decision.decided) ++decisions_;
+  for (const SnapshotBody& body : snapshot.bodies) decisions_ += body.decision.decided;
   exploration_.add(snapshot);
   landmarks_ = mapped_landmarks(snapshot);
   anchors_ = static_cast<int>(snapshot.landmarks.size()) - landmarks_;
@@ -178,7 +178,7 @@ void RunSummary::add(const Snapshot& snapshot) {
   paths_.add(snapshot);
   if (!survey_.landmarks.empty()) map_ = snapshot.landmarks;
   compare_with_truth(snapshot);
-  if (has_pose(snapshot) && alignment_ == AlignmentKind::none) distances_.add(snapshot);
+  if (has_poses(snapshot) && alignment_ == AlignmentKind::none) distances_.add(snapshot);
   for (const auto& [stage, ms] : snapshot.timing_ms) {
     auto found =
         std::find_if(stage_ms_.begin(), stage_ms_.end(), [&](const auto& s) { return s.first == stage; });
@@ -192,7 +192,7 @@ void RunSummary::compare_with_truth(const Snapshot& s) {
   for (const SnapshotBody& body : s.bodies) {
     if (!body.truth) continue;
     has_truth_ = true;
-    if (!has_pose(s)) continue;
+    if (!has_pose(body)) continue;
     MatchedTrajectories& own = matched_[static_cast<std::size_t>(&body - s.bodies.data())];
     own.truth.push_back(*body.truth);
     own.estimate.push_back(body.estimate);

@@ -6,12 +6,13 @@
 // correction with all inliers; then the map is maintained and the health of the estimate assessed.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "incognita/slam/estimator/estimator_start.hpp"
 #include "incognita/slam/features/feature_tracker.hpp"
+#include "incognita/slam/features/frame_counter.hpp"
 #include "incognita/slam/mapper/estimator.hpp"
 #include "incognita/slam/mapper/settings.hpp"
 #include "incognita/slam/points/associate_detections.hpp"
@@ -30,8 +31,8 @@ class SlamEstimator final : public Estimator {
   FeatureTracker& camera(std::size_t index) { return cameras_.at(index); }
 
   /// Advances the estimate from the previous tick to this one. `observation.bodies` has one entry per body, in the
-  /// order of the settings. Throws std::invalid_argument, and changes nothing, when their number differs, for an
-  /// image whose size is not that of its camera, and for a detection of a sensor or a body that does not exist.
+  /// order of the settings. Throws std::invalid_argument, and changes nothing, for what check_observation() refuses and
+  /// for an image whose size is not that of its camera.
   /// `command`: since the previous tick, for bodies that are predicted by it. The appearance of the landmarks is kept
   /// here: an estimator goes with one estimate.
   void update(Estimate& estimate, const Command& command, const Observation& observation,
@@ -39,36 +40,33 @@ class SlamEstimator final : public Estimator {
 
  private:
   void see(const Observation& observation);
-  void start(Estimate& estimate, const Observation& observation, const Tick& tick);
-  bool has_target(std::size_t body) const;
-  bool has_first_fixes(const Observation& observation);
-  bool has_camera_starts(Estimate& estimate, double waited_s);
-  void add_bodies(Estimate& estimate, const Observation& observation, const Tick& tick) const;
-  void predict(Estimate& estimate, const Command& command, const Observation& observation, const Tick& tick,
-               bool waits_in_place);
+  void count_frames(const Tick& tick);
+  void note_lost(const Estimate& estimate);
   bool carries_camera(std::size_t body) const;
-  void match_images(Estimate& estimate, bool was_lost, StageClock& stage);
+  void predict(Estimate& estimate, const Command& command, const Observation& observation, const Tick& tick);
+  void match_images(Estimate& estimate, StageClock& stage);
   bool correct(Estimate& estimate);
   void update_map(Estimate& estimate, StageClock& stage);
+  void assess(Estimate& estimate, bool corrected);
+  void relocate(Estimate& estimate, std::size_t body);
+  void search_around_last_pose(Estimate& estimate, std::size_t body);
   void maintain_maps(Estimate& estimate);
-  int count_frames(const Tick& tick);
-  void assess(Estimate& estimate, int frames);
-  void relocate(Estimate& estimate, bool corrected);
-  void search_around_last_pose(Estimate& estimate);
   void report(Estimate& estimate) const;
-  void refresh_entropy(Estimate& estimate, double t) const;
-  void update_poses(Estimate& estimate) const;
   const AnyMotion& motion_of(const FeatureTracker& camera) const {
     return settings_.bodies[camera.camera().body].motion;
   }
 
+  /// Of a body at the current tick.
+  struct TrackedBody {
+    FrameCounter counter;
+    int frames = 0;         ///< of its cameras, see FrameCounter
+    bool was_lost = false;  ///< before this tick, of a body with cameras
+  };
+
   EstimatorSettings settings_;
   std::vector<FeatureTracker> cameras_;
-  std::vector<FeatureTracker::Start> starts_;                ///< of each camera, until the start
-  std::vector<std::optional<PositionReading>> first_fixes_;  ///< of each body that starts at one
-  std::optional<double> image_t_;                            ///< s, of the last image
-  double image_period_s_ = 1;  ///< between the last two images; assumed before the second
-  int missed_frames_ = 0;      ///< since the last image, at that period
+  EstimatorStart start_;
+  std::vector<TrackedBody> bodies_;
   Inliers inliers_;
   std::vector<LinearizedMeasurement> measurements_;  ///< workspace: inliers of images, then of points
 };

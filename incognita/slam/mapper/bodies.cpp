@@ -46,6 +46,36 @@ void stop_and_search(Estimate& e, std::size_t i, const EstimatorSettings& settin
   e.bodies[i].input_period = 0;
 }
 
+namespace {
+
+/// State and covariance of a body in the world.
+void express_in_world(const Estimate& e, Body& body) {
+  if (!e.world) {
+    body.state = e.belief.mean(body.block);
+    body.state_covariance = e.belief.covariance(body.block);
+    return;
+  }
+  const planar::FramedPose at = planar::in_frame(planar::Pose<double>(e.belief.mean(*e.world)),
+                                                 planar::Pose<double>(e.belief.mean(body.block)));
+  const SmallMatrix cross = at.by_pose * e.belief.covariance(body.block, *e.world) * at.by_frame.transpose();
+  body.state = at.pose;
+  body.state_covariance = at.by_frame * e.belief.covariance(*e.world) * at.by_frame.transpose() +
+                          at.by_pose * e.belief.covariance(body.block) * at.by_pose.transpose() + cross +
+                          cross.transpose();
+}
+
+}  // namespace
+
+void express_in_world(Estimate& e, const EstimatorSettings& settings) {
+  for (std::size_t i = 0; i < e.bodies.size(); ++i) {
+    Body& body = e.bodies[i];
+    express_in_world(e, body);
+    const SmallMatrix J = pose_jacobian(settings.bodies[i].motion, body.state);
+    body.pose = pose_of(settings.bodies[i].motion, body.state);
+    body.pose_covariance = J * body.state_covariance * J.transpose();
+  }
+}
+
 void decorrelate(Estimate& e, Decorrelation which) {
   if (which == Decorrelation::everything) e.belief.decorrelate(Belief::Scope::everything);
   if (which == Decorrelation::map) e.belief.decorrelate(Belief::Scope::map);

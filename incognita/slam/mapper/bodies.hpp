@@ -1,4 +1,4 @@
-// Bodies in the belief: at the start, and put to rest where they were lost.
+// Bodies in the belief: at the start, in the world after each tick, and put to rest where they were lost.
 #pragma once
 
 #include "incognita/slam/mapper/estimate.hpp"
@@ -16,6 +16,9 @@ void add_body(Estimate& estimate, const BodyModel& model, const SmallVector& sta
 
 /// Stops a body at its last pose and adds the uncertainty of a short search around it.
 void stop_and_search(Estimate& estimate, std::size_t body, const EstimatorSettings& settings);
+
+/// Sets the state and the pose of each body in the world, with their covariances, from the belief.
+void express_in_world(Estimate& estimate, const EstimatorSettings& settings);
 
 /// Removes correlations as the settings ask for, thesis Section 3.3.
 void decorrelate(Estimate& estimate, Decorrelation which);

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <limits>
 
 namespace incognita {
 
-/// Entropies from log-determinants: thesis (6.2). Map and total are refreshed about once a second, the vehicle too in a
-/// team; the camera estimator refreshes its vehicle entropy at every frame.
+/// Entropies from log-determinants: thesis (6.2). Map and total are refreshed about once a second, that of the bodies at
+/// each tick.
 struct Entropy {
   double vehicle = std::numeric_limits<double>::quiet_NaN();
   double map = std::numeric_limits<double>::quiet_NaN();

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "incognita/math/gaussian.hpp"
+#include "incognita/messages/tick.hpp"
 #include "incognita/models/motion/planar_frame.hpp"
 #include "incognita/slam/mapper/belief_entropy.hpp"
 
@@ -109,6 +110,16 @@ Entropy entropies(const Estimate& e) {
   if (e.belief.drops_correlations()) return entropies_of_arrow(e);
   if (e.world) return entropies_in_vehicle_frame(e);
   return entropies_of(e.belief, vehicle_errors(e));
+}
+
+void refresh_entropy(Estimate& e, double t) {
+  const double period_s = entropy_period_s(e.belief.errors());
+  if (!e.entropy_t || has_come(*e.entropy_t + period_s, t)) {
+    e.entropy = entropies(e);
+    e.entropy_t = t;
+  } else {
+    e.entropy.vehicle = vehicle_entropy(e);
+  }
 }
 
 }  // namespace incognita

@@ -6,6 +6,7 @@
 // and landmarks relative to the vehicle; Body::pose and position_of() are in the world either way.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -19,13 +20,28 @@
 
 namespace incognita {
 
+/// What the assessment of a body remembers between ticks: health.hpp.
+struct BodyHealth {
+  int frames_with_few = 0;  ///< consecutive frames with too few matches, overdue ones too
+  int unmatched_ticks = 0;  ///< consecutive ticks with detections but without a match
+};
+
+/// Numbers of the last tick of a body.
+struct MatchCounts {
+  int searched = 0;       ///< features searched for in its images
+  int image_matches = 0;  ///< of them, those that updated the filter
+  int matched = 0;        ///< the same with the detections of its other sensors
+};
+
 struct Body {
   BlockId block = 0;
-  SmallVector prediction;            ///< state after the last prediction, before the corrections of that tick
-  double t = 0;                      ///< s, time of the prediction
-  std::optional<SmallVector> input;  ///< last odometry reading, held until the next
-  double input_t = 0;                ///< s, time of that reading
-  double input_period = 0;           ///< s, between the last two readings; 0 before the second
+  SmallVector prediction;  ///< state after the last prediction, before the corrections of that tick
+  double t = 0;            ///< s, time of the prediction
+  /// s, of the position fix that is its start position, which is no measurement of it; none: it starts elsewhere
+  std::optional<double> first_fix_t;
+  std::optional<SmallVector> input;       ///< last odometry reading, held until the next
+  double input_t = 0;                     ///< s, time of that reading
+  double input_period = 0;                ///< s, between the last two readings; 0 before the second
   std::optional<Eigen::Vector2d> wheels;  ///< speed, m/s, turn rate, rad/s, of a camera's carrier
 
   // After the last tick, in the world
@@ -33,6 +49,9 @@ struct Body {
   SmallMatrix state_covariance;  ///< of the state error
   RigidPose pose = {};           ///< as a rigid body in space
   Eigen::Matrix<double, 6, 6> pose_covariance = Eigen::Matrix<double, 6, 6>::Zero();  ///< of its error
+  MatchCounts counts;
+  TrackingStatus status;
+  BodyHealth health;
 };
 
 struct Landmark {
@@ -96,11 +115,9 @@ struct FrameReport {
   }
 };
 
-/// What the assessment of the status remembers between ticks: health.hpp.
-struct HealthRecord {
-  int frames_with_few = 0;                 ///< consecutive frames with too few matches, overdue ones too
-  int unmatched_ticks = 0;                 ///< consecutive ticks with detections but without a match
-  int doubted_ticks = 0;                   ///< consecutive updates with large innovations
+/// What the assessment of the joint updates remembers between ticks: health.hpp.
+struct UpdateHealth {
+  int doubted_ticks = 0;                   ///< consecutive ticks with matches and too large innovations
   double recent_nis = 0, recent_rows = 0;  ///< weighted sums over updates, forgetting factor 0.9
 };
 
@@ -113,8 +130,8 @@ struct Estimate {
   /// By id: the identity that a sensor provides, or a number of the estimator. With the anchors.
   std::map<std::int64_t, Landmark> landmarks;
   std::int64_t next_id = 0;  ///< next number of the estimator; numbers are unique
-  TrackingStatus status;
-  HealthRecord health;
+  TrackingStatus status;     ///< of the body that is worst; each has its own
+  UpdateHealth health;
   Entropy entropy;                  ///< map and total are refreshed about once a second: entropy_period_s()
   std::optional<double> entropy_t;  ///< s, time of their last refresh
   FrameReport last;
@@ -131,6 +148,12 @@ struct Estimate {
     return count;
   }
 };
+
+/// Whether a body is lost. An estimator of one body may set the status of the estimate only.
+inline bool is_lost(const Estimate& estimate, std::size_t body) {
+  const bool alone = estimate.bodies.size() == 1;
+  return (alone ? estimate.status : estimate.bodies.at(body).status).state == TrackingState::lost;
+}
 
 /// First number of the features of cameras where point sensors report identities, which are smaller.
 inline constexpr std::int64_t first_feature_number = 1'000'000'000;
@@ -153,5 +176,7 @@ std::optional<LandmarkPosition> position_of(const Landmark& landmark, const Esti
 double vehicle_entropy(const Estimate& estimate);
 /// Entropies of the bodies, the map and both: thesis (6.2). Cubic in the map, linear with a block-diagonal map.
 Entropy entropies(const Estimate& estimate);
+/// Refreshes the entropies of the estimate at time `t`, s: that of the bodies at each tick, the others when they are due.
+void refresh_entropy(Estimate& estimate, double t);
 
 }  // namespace incognita

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 #include <sstream>
-#include <utility>
 
 #include "incognita/math/gaussian.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
@@ -37,14 +36,13 @@ int landmarks_in_view(const Estimate& e, int which, int sensor_index, const Esti
   return count;
 }
 
-/// Landmarks are detected by point sensors, none is matched, and enough are predicted in their view.
-bool recognizes_nothing(const Estimate& e, const EstimatorSettings& settings) {
-  if (e.last.matched > 0) return false;
-  std::set<std::pair<int, int>> detecting;
+/// Landmarks are detected by the body's point sensors, none is matched, and enough are predicted in their view.
+bool recognizes_nothing(const Estimate& e, int body, const EstimatorSettings& settings) {
+  std::set<int> detecting;
   for (const Match& match : e.last.matches)
-    if (!match.of_body && !match.image) detecting.emplace(match.body, match.sensor);
+    if (match.body == body && !match.of_body && !match.image) detecting.insert(match.sensor);
   int expected = 0;
-  for (const auto& [body, sensor] : detecting) expected += landmarks_in_view(e, body, sensor, settings);
+  for (const int sensor : detecting) expected += landmarks_in_view(e, body, sensor, settings);
   return !detecting.empty() && expected >= settings.health.min_expected;
 }
 
@@ -55,37 +53,34 @@ std::string of_numbers(double value, const char* what) {
   return text.str();
 }
 
-/// Counts the ticks that speak against the estimate.
-void count(Estimate& e, int frames, const EstimatorSettings& settings) {
-  HealthRecord& record = e.health;
-  const HealthSettings& limits = settings.health;
+/// Counts the ticks that speak against the estimate of a body.
+void count(Estimate& e, std::size_t which, int frames, const EstimatorSettings& settings) {
+  BodyHealth& health = e.bodies[which].health;
+  const int matched = e.bodies[which].counts.matched;
   if (frames > 0)
-    record.frames_with_few = e.last.matched < limits.min_matches ? record.frames_with_few + frames : 0;
-  if (e.last.matched > 0)
-    record.unmatched_ticks = 0;
-  else if (recognizes_nothing(e, settings))
-    ++record.unmatched_ticks;
-  if (e.last.matched > 0)
-    record.doubted_ticks = innovation_sigmas(e) > limits.max_innovation_sigmas ? record.doubted_ticks + 1 : 0;
+    health.frames_with_few = matched < settings.health.min_matches ? health.frames_with_few + frames : 0;
+  if (matched > 0)
+    health.unmatched_ticks = 0;
+  else if (recognizes_nothing(e, static_cast<int>(which), settings))
+    ++health.unmatched_ticks;
 }
 
-/// The reason why the measurements say that the estimate is lost; empty if they do not.
-std::string lost_by_measurements(const Estimate& e, const HealthSettings& limits) {
-  const HealthRecord& record = e.health;
-  if (record.frames_with_few >= limits.max_ticks)
-    return std::to_string(record.frames_with_few) + " frames in a row with fewer than " +
+/// The reason why the measurements say that a body is lost; empty if they do not.
+std::string lost_by_measurements(const Estimate& e, const BodyHealth& health, const HealthSettings& limits) {
+  if (health.frames_with_few >= limits.max_ticks)
+    return std::to_string(health.frames_with_few) + " frames in a row with fewer than " +
            std::to_string(limits.min_matches) + " features matched";
-  if (record.unmatched_ticks >= limits.max_ticks)
+  if (health.unmatched_ticks >= limits.max_ticks)
     return "no detection matches a landmark, while " + std::to_string(limits.min_expected) +
-           " or more are predicted in view, for " + std::to_string(record.unmatched_ticks) + " ticks";
-  if (record.doubted_ticks < limits.max_ticks) return "";
+           " or more are predicted in view, for " + std::to_string(health.unmatched_ticks) + " ticks";
+  if (e.health.doubted_ticks < limits.max_ticks) return "";
   return of_numbers(innovation_sigmas(e), " sigma rms are the normalized innovations, expected 1, for ") +
-         std::to_string(record.doubted_ticks) + " ticks";
+         std::to_string(e.health.doubted_ticks) + " ticks with matches";
 }
 
-/// The reason why the estimate is degraded; empty without one.
-std::string doubt(const Estimate& e, const EstimatorSettings& settings) {
-  if (e.health.frames_with_few > 0)
+/// The reason why the estimate of a body is degraded; empty without one.
+std::string doubt(const Estimate& e, const BodyHealth& health, const EstimatorSettings& settings) {
+  if (health.frames_with_few > 0)
     return "fewer than " + std::to_string(settings.health.min_matches) + " features matched";
   if (e.last.refused) return "an update was refused: within rounding it would leave nothing of a variance";
   if (e.last.association_capped)
@@ -113,13 +108,29 @@ std::string lost_by_covariance(const Body& body, const HealthSettings& limits) {
 }
 
 /// "7 of 12 features matched", for bodies with cameras.
-std::string matches_in_words(const Estimate& e) {
-  return std::to_string(e.last.image_matches) + " of " + std::to_string(e.last.predicted) +
+std::string matches_in_words(const MatchCounts& counts) {
+  return std::to_string(counts.image_matches) + " of " + std::to_string(counts.searched) +
          " features matched";
 }
 
 std::string joined(const std::string& a, const std::string& b) {
   return a.empty() ? b : b.empty() ? a : a + "; " + b;
+}
+
+int badness(TrackingState state) {
+  switch (state) {
+    case TrackingState::tracking:
+      return 0;
+    case TrackingState::degraded:
+      return 1;
+    case TrackingState::relocated:
+      return 2;
+    case TrackingState::starting:
+      return 3;
+    case TrackingState::lost:
+      return 4;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -129,19 +140,31 @@ double sigma_position(const Body& body) {
   return std::sqrt(std::max(0.0, cov.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff()));
 }
 
-TrackingStatus assess(Estimate& e, int frames, const EstimatorSettings& settings) {
-  const std::string seen = frames > 0 ? matches_in_words(e) : "";
-  count(e, frames, settings);
-  for (std::size_t i = 0; i < e.bodies.size(); ++i) {
-    const std::string lost = lost_by_covariance(e.bodies[i], settings.health);
-    if (lost.empty()) continue;
-    const std::string which = e.bodies.size() > 1 ? "vehicle " + std::to_string(i + 1) + ": " : "";
-    return {TrackingState::lost, joined(which + lost, seen)};
-  }
-  if (const std::string lost = lost_by_measurements(e, settings.health); !lost.empty())
-    return {TrackingState::lost, joined(lost, seen)};
-  const std::string reason = doubt(e, settings);
+void count_doubted(Estimate& e, const HealthSettings& settings) {
+  if (e.last.matched == 0) return;
+  e.health.doubted_ticks =
+      innovation_sigmas(e) > settings.max_innovation_sigmas ? e.health.doubted_ticks + 1 : 0;
+}
+
+TrackingStatus assess(Estimate& e, std::size_t which, int frames, const EstimatorSettings& settings) {
+  count(e, which, frames, settings);
+  const Body& body = e.bodies[which];
+  const std::string seen = frames > 0 ? matches_in_words(body.counts) : "";
+  std::string lost = lost_by_covariance(body, settings.health);
+  if (lost.empty()) lost = lost_by_measurements(e, body.health, settings.health);
+  if (!lost.empty()) return {TrackingState::lost, joined(lost, seen)};
+  const std::string reason = doubt(e, body.health, settings);
   return {reason.empty() ? TrackingState::tracking : TrackingState::degraded, joined(reason, seen)};
+}
+
+TrackingStatus worst_of(const std::vector<Body>& bodies) {
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < bodies.size(); ++i)
+    if (badness(bodies[i].status.state) > badness(bodies[worst].status.state)) worst = i;
+  TrackingStatus status = bodies.at(worst).status;
+  if (bodies.size() > 1 && !status.reason.empty())
+    status.reason = "vehicle " + std::to_string(worst + 1) + ": " + status.reason;
+  return status;
 }
 
 }  // namespace incognita

@@ -60,6 +60,11 @@ void correct_by_fix(Estimate& e, std::size_t which, const PositionReading& fix,
     e.last.refused = true;
 }
 
+/// Whether a fix is not the one that gave the start position.
+bool is_new(const PositionReading& fix, const Body& body) {
+  return !body.first_fix_t || fix.t > *body.first_fix_t;
+}
+
 /// Applies the readings and fixes of one vehicle in time order.
 void predict_through_readings(Estimate& e, std::size_t which, const BodyObservation& view, double t,
                               const EstimatorSettings& settings) {
@@ -70,7 +75,7 @@ void predict_through_readings(Estimate& e, std::size_t which, const BodyObservat
   auto fix = view.fixes.begin();
   const auto use_fixes_until = [&](double until) {
     for (; settings.bodies[which].sigma_fix_m > 0 && fix != view.fixes.end() && fix->t <= until; ++fix) {
-      if (fix->t < body.t) continue;  // from before the start
+      if (fix->t < body.t || !is_new(*fix, body)) continue;  // from before the start
       hold_until(e, which, fix->t, settings);
       correct_by_fix(e, which, *fix, settings);
     }
@@ -128,7 +133,7 @@ void predict_body(Estimate& e, std::size_t which, const SmallVector& commanded,
   }
   body.t = tick.t;
   for (const PositionReading& fix : observed.fixes)
-    if (settings.bodies[which].sigma_fix_m > 0) correct_by_fix(e, which, fix, settings);
+    if (settings.bodies[which].sigma_fix_m > 0 && is_new(fix, body)) correct_by_fix(e, which, fix, settings);
 }
 
 void recenter_map(Estimate& e) {

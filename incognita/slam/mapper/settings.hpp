@@ -152,7 +152,7 @@ struct DataAssociationSettings {
 /// Limits beyond which the estimate is degraded or lost, and the search after that.
 struct HealthSettings {
   double max_sigma_position_m = 10;  ///< of any body; beyond: lost
-  int min_matches = 3;               ///< in the images of a frame; with fewer the estimate is degraded
+  int min_matches = 3;               ///< of a body with cameras, in a frame; with fewer it is degraded
   /// Consecutive frames with too few matches; or ticks with detections but no match, while `min_expected`
   /// landmarks are predicted in view; or ticks with innovations above `max_innovation_sigmas`: lost.
   int max_ticks = 10;
@@ -173,8 +173,9 @@ struct HealthSettings {
         "Consecutive ticks with too few matches, or with too large innovations, after which the state is `lost`");
     setting(&S::max_innovation_sigmas, "max_innovation_sigmas", "", more_than(1),
             "Rms normalized innovation above which a tick counts towards `lost`; 1 is expected");
-    setting(&S::min_matches, "min_matches", "", between(3, 10000),
-            "Number of matches in the images below which a frame counts towards `lost`");
+    setting(
+        &S::min_matches, "min_matches", "", between(3, 10000),
+        "Matches of a body with cameras, those of its other sensors included, below which a frame counts towards `lost`");
     setting(&S::min_matches_to_relocate, "min_matches_to_relocate", "", between(3, 10000),
             "Number of matches in one image that end the state `lost`");
     setting(

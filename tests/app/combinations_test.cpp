@@ -184,6 +184,19 @@ TEST(Combinations, ATeamWithTwoAnchorsIsConsistent) {
                     [](EstimatorSettings& s) { ASSERT_EQ(s.anchors.size(), 2u); });
 }
 
+/// Depths are unknown at first, and the vehicles measure the landmarks of each other from metres beside the rays of their
+/// initialization.
+TEST(Combinations, ATeamThatMeasuresNoDistances) {
+  expect_consistent("three vehicles, bearings only", "two-robots",
+                    with(team_of_three, {"points.known=2", "sensor.type=bearing",
+                                         "landmark_initialization.inverse_depth_per_m=0.15",
+                                         "landmark_initialization.sigma_inverse_depth_per_m=0.1"}),
+                    16, [](EstimatorSettings& s) {
+                      for (const BodyModel& body : s.bodies)
+                        ASSERT_TRUE(std::holds_alternative<BearingSensor>(body.sensors.at(0).sensor));
+                    });
+}
+
 TEST(Combinations, AMapInTheFrameOfACarUnderControl) {
   const testing::Scratch folder;
   const std::filesystem::path car = folder.write("car.toml", R"([world]

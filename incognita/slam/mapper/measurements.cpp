@@ -79,6 +79,28 @@ bool too_near(const Estimate& e, std::size_t viewer, std::size_t other, int dime
   return ((changes * squared_share).array() > R.diagonal().array()).any();
 }
 
+/// Whether a landmark of unknown depth is seen from so far beside the ray of its initialization that the first-order
+/// model fails: the second-order term of the measurement over one sigma of the inverse depth exceeds its noise. From
+/// near that ray, as by the body that initialized it, this term is small whatever the depth.
+bool too_unsure_of_depth(const Estimate& e, const PointSensor& sensor, const AnyMotion& motion,
+                         const SmallVector& state, const Target& target, const SmallVector& predicted,
+                         const SmallMatrix& R) {
+  if (target.form.kind == LandmarkParametrization::Kind::point || !target.block) return false;
+  const Eigen::Index depth = target.mean.size() - 1;
+  const double sigma = std::sqrt(e.belief.covariance(*target.block)(depth, depth));
+  const auto change = [&](double by) -> std::optional<SmallVector> {
+    SmallVector moved = target.mean;
+    moved[depth] += by;
+    const auto there = predict_measurement(sensor.sensor, motion, state, target.form, moved);
+    if (!there) return std::nullopt;
+    return residual_of(sensor.sensor, there->z, predicted);
+  };
+  const auto nearer = change(sigma), farther = change(-sigma);
+  if (!nearer || !farther) return true;
+  const SmallVector second_order = (*nearer + *farther) / 2;
+  return (second_order.array().square() > R.diagonal().array()).any();
+}
+
 }  // namespace
 
 const PointSensor& sensor_of(const EstimatorSettings& settings, int body, int sensor) {
@@ -119,6 +141,9 @@ std::optional<LinearizedDetection> linearize_detection(const Estimate& e, int bo
   const SmallMatrix R = detection_noise(sensor, detection.z);
   if (of_body && too_near(e, static_cast<std::size_t>(body), static_cast<std::size_t>(detection.identity),
                           dimensions, derived->Hl, R, settings))
+    return std::nullopt;
+  if (!of_body &&
+      too_unsure_of_depth(e, sensor, motion, e.belief.mean(viewer.block), *target, prediction->z, R))
     return std::nullopt;
   LinearizedDetection out;
   out.predicted = prediction->z;

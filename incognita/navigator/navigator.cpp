@@ -129,9 +129,13 @@ const TrackingStatus& Navigator::advance(double t) {
   return estimate_.status;
 }
 
-BodyPose Navigator::pose(std::size_t body) const {
+const Body& Navigator::started(std::size_t body) const {
   if (!estimate_.started) throw std::logic_error("no pose yet: " + estimate_.status.reason);
-  const Body& b = estimate_.bodies.at(body);
+  return estimate_.bodies.at(body);
+}
+
+BodyPose Navigator::pose(std::size_t body) const {
+  const Body& b = started(body);
   return {b.pose, b.pose_covariance};
 }
 

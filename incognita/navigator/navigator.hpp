@@ -68,7 +68,10 @@ class Navigator {
 
   // The estimate
 
+  /// Of the body that is worst.
   const TrackingStatus& status() const { return estimate_.status; }
+  /// Of one body. Throws std::logic_error before the start.
+  const TrackingStatus& status(std::size_t body) const { return started(body).status; }
   /// Throws std::logic_error before the start; see status().
   BodyPose pose(std::size_t body = 0) const;
   std::vector<MappedLandmark> landmarks() const;
@@ -79,6 +82,7 @@ class Navigator {
 
  private:
   BodyObservation& pending(std::size_t body, double t);
+  const Body& started(std::size_t body) const;
 
   SlamEstimator estimator_;
   Estimate estimate_;

@@ -31,9 +31,6 @@ class Plant {
   /// The true input of the last tick: with input ratios and disturbances.
   const SmallVector& in_force() const { return in_force_; }
 
-  /// d(state)/dt at the end of the last tick, including disturbances.
-  SmallVector rate() const { return rate_of(motion_, state_, in_force_); }
-
   /// State after holding the input for `dt_s` seconds (Dormand-Prince, Odeint, tolerance 1e-10). Throws
   /// std::invalid_argument if the input or the time is not finite or the time is negative.
   const SmallVector& move(const SmallVector& input, double dt_s);

@@ -129,6 +129,29 @@ TEST(Navigator, PredictsABodyInSpaceWithoutInput) {
   EXPECT_GT(navigator.pose().covariance(0, 0), 2 * before);
 }
 
+TEST(Navigator, PredictsByTheCommandThatIsExecuted) {
+  EstimatorSettings settings;
+  SmallVector at = SmallVector::Zero(13);
+  at[3] = 1;
+  BodyModel body = body_with_sensor(FreeCameraMotion{}, CameraSensor{}, at, SmallVector::Constant(12, 0.01),
+                                    SmallVector::Constant(6, 0.1), SmallVector::Constant(2, 1));
+  body.input = BodyModel::Input::commanded;
+  settings.bodies.push_back(body);
+  Navigator navigator{SlamEstimator(settings)};
+  EXPECT_THROW(navigator.status(0), std::logic_error);
+  navigator.advance(0);
+  Command accelerate;
+  accelerate.bodies.push_back({.input = SmallVector::Unit(6, 0)});  // 1 m/s^2 along x
+  navigator.set_command(accelerate);
+  navigator.advance(1);
+  EXPECT_NEAR(navigator.pose().pose.position.x(), 0.5, 1e-12);
+  EXPECT_EQ(navigator.status(0).state, TrackingState::tracking);
+  EXPECT_THROW(navigator.status(1), std::out_of_range);
+  navigator.set_command({});
+  navigator.advance(2);
+  EXPECT_NEAR(navigator.pose().pose.position.x(), 1.5, 1e-12) << "on at 1 m/s";
+}
+
 TEST(Navigator, StartsAtFixesOfDifferentTimes) {
   EstimatorSettings settings = one_vehicle();
   settings.bodies.push_back(settings.bodies[0]);

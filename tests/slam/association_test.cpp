@@ -130,6 +130,20 @@ TEST(JointCompatibility, FindsWhatTryingEverySetFinds) {
   EXPECT_GT(with_choice, 20) << "too easy to say anything";
 }
 
+/// The pairings inside their gates, nearest first.
+std::vector<int> nearest_neighbors(const AnyBelief& belief, const std::vector<Pairing>& pairings) {
+  const std::vector<double> distances = individual_distances(belief, pairings);
+  std::vector<Candidate> candidates;
+  std::vector<int> inside, chosen;
+  for (std::size_t p = 0; p < pairings.size(); ++p) {
+    if (!(distances[p] <= chi_square_quantile(0.95, 2))) continue;
+    candidates.push_back({pairings[p].measurement, pairings[p].landmark, distances[p]});
+    inside.push_back(static_cast<int>(p));
+  }
+  for (const int c : nearest_first(candidates)) chosen.push_back(inside[static_cast<std::size_t>(c)]);
+  return chosen;
+}
+
 /// Two rows of posts half a metre apart, seen by a vehicle that is 0.4 m beside where it believes to be: each
 /// post looks nearest to its neighbour's.
 TEST(JointCompatibility, HoldsWhereNearestNeighborsTakeTheWrongPost) {
@@ -139,12 +153,12 @@ TEST(JointCompatibility, HoldsWhereNearestNeighborsTakeTheWrongPost) {
   for (const Vector2d& post : posts)
     measurements.push_back(RangeBearing::predict_measurement({0, 0.4, 0}, post)->z);
   const auto pairings = scene.pairings(measurements);
-  const auto right = [&](const Association& a) {
-    return std::count_if(a.chosen.begin(), a.chosen.end(),
+  const auto right = [&](const std::vector<int>& chosen) {
+    return std::count_if(chosen.begin(), chosen.end(),
                          [&](int p) { return pairings[p].measurement == pairings[p].landmark; });
   };
-  EXPECT_EQ(right(jointly_compatible(scene.belief, pairings, {})), 5);
-  EXPECT_LT(right(nearest_neighbors(scene.belief, pairings, {})), 4);
+  EXPECT_EQ(right(jointly_compatible(scene.belief, pairings, {}).chosen), 5);
+  EXPECT_LT(right(nearest_neighbors(scene.belief, pairings)), 4);
 }
 
 TEST(JointCompatibility, ACappedSearchSaysSoAndIsStillOneToOne) {
@@ -167,19 +181,18 @@ TEST(JointCompatibility, ACappedSearchSaysSoAndIsStillOneToOne) {
 TEST(Association, NothingIsNotAMatch) {
   const Scene scene({{4, 0}}, 0.1, 0.01);
   EXPECT_TRUE(jointly_compatible(scene.belief, {}, {}).chosen.empty());
-  EXPECT_TRUE(nearest_neighbors(scene.belief, {}, {}).chosen.empty());
+  EXPECT_TRUE(nearest_neighbors(scene.belief, {}).empty());
   const auto far = scene.pairings({{9, 1}, {NAN, 0}, {4, NAN}});
   EXPECT_TRUE(jointly_compatible(scene.belief, far, {}).chosen.empty());
-  EXPECT_TRUE(nearest_neighbors(scene.belief, far, {}).chosen.empty());
+  EXPECT_TRUE(nearest_neighbors(scene.belief, far).empty());
 }
 
 TEST(Association, NearestNeighborsAreOneToOne) {
   const Scene scene({{4, 0}, {4, 0.3}}, 0.1, 0.01);
   const auto pairings = scene.pairings({{4, 0.001}, {4, 0.02}});
-  const Association found = nearest_neighbors(scene.belief, pairings, {});
-  ASSERT_EQ(found.chosen.size(), 2u);
-  EXPECT_EQ(pairings[found.chosen[0]].measurement, pairings[found.chosen[0]].landmark);
-  EXPECT_EQ(pairings[found.chosen[1]].measurement, pairings[found.chosen[1]].landmark);
+  const std::vector<int> found = nearest_neighbors(scene.belief, pairings);
+  ASSERT_EQ(found.size(), 2u);
+  for (const int p : found) EXPECT_EQ(pairings[p].measurement, pairings[p].landmark);
 }
 
 }  // namespace

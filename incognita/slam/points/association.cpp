@@ -171,25 +171,6 @@ std::vector<int> nearest_first(std::span<const Candidate> candidates) {
   return chosen;
 }
 
-Association nearest_neighbors(const AnyBelief& belief, std::span<const Pairing> pairings,
-                              const AssociationSettings& settings) {
-  const std::vector<double> distances = individual_distances(belief, pairings);
-  const std::vector<double> own_gates = gates_up_to(max_measurement_rows, settings.probability);
-  std::vector<Candidate> candidates;
-  std::vector<int> inside;
-  for (std::size_t p = 0; p < pairings.size(); ++p) {
-    if (!(distances[p] <= own_gates[pairings[p].linearized.rows()])) continue;
-    candidates.push_back({pairings[p].measurement, pairings[p].landmark, distances[p]});
-    inside.push_back(static_cast<int>(p));
-  }
-  Association association;
-  for (const int c : nearest_first(candidates)) {
-    association.chosen.push_back(inside[c]);
-    association.distance2 += candidates[c].distance2;
-  }
-  return association;
-}
-
 Association jointly_compatible(const AnyBelief& belief, std::span<const Pairing> pairings,
                                const AssociationSettings& settings) {
   return BranchAndBound(belief, pairings, individual_distances(belief, pairings), settings).run();

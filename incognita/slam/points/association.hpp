@@ -28,7 +28,7 @@ struct AssociationSettings {
 
 struct Association {
   std::vector<int> chosen;  ///< indices of pairings; at most one per measurement and per landmark
-  double distance2 = 0;     ///< r' S^-1 r, joint (branch and bound) or summed over the pairings
+  double distance2 = 0;     ///< r' S^-1 r, joint
   std::int64_t nodes = 0;   ///< visited by the joint search
   bool capped = false;      ///< max_nodes was reached: a better set may exist
 };
@@ -44,10 +44,6 @@ std::vector<int> nearest_first(std::span<const Candidate> candidates);
 
 /// r' S^-1 r of each pairing; infinite when S is not positive definite or a number is not finite.
 std::vector<double> individual_distances(const AnyBelief& belief, std::span<const Pairing> pairings);
-
-/// Greedy nearest-neighbor assignment of the individually compatible pairings.
-Association nearest_neighbors(const AnyBelief& belief, std::span<const Pairing> pairings,
-                              const AssociationSettings& settings);
 
 /// The largest set of pairings that are individually and jointly compatible; in a tie the set with the
 /// smallest joint distance.

@@ -62,7 +62,7 @@ void identify(Data& data) {
   follow(data, settings, {}, [&](const Estimate& estimate, const Tick& tick, const auto&) {
     const planar::Pose<double> pose(estimate.bodies.front().state);
     for (Detection& d : data.recording.scans[static_cast<std::size_t>(tick.frame)].detections) {
-      const Eigen::Vector2d at = RangeBearing::j<double>(pose, {d.range_m, d.bearing_rad});
+      const Vector2d at = RangeBearing::j<double>(pose, {d.range_m, d.bearing_rad});
       double nearest_m = 1;
       for (std::size_t b = 0; b < data.beacons.size(); ++b) {
         const double distance = (data.beacons[b] - at).norm();
@@ -72,7 +72,7 @@ void identify(Data& data) {
   });
 }
 
-double rms_distance(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b) {
+double rms_distance(const std::vector<Vector2d>& a, const std::vector<Vector2d>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]).squaredNorm();
   return std::sqrt(sum / static_cast<double>(a.size()));
@@ -84,9 +84,10 @@ class Driver {
   explicit Driver(const Data& data) : data_(data) {}
 
   Drive run(const PlanarSlamSettings& settings) {
-    for (const Eigen::Vector2d& anchor : settings.filter.anchors)
+    for (const Vector2d& anchor : settings.filter.anchors)
       for (std::size_t b = 0; b < data_.beacons.size(); ++b)
         if ((data_.beacons[b] - anchor).norm() < 0.01) anchors_.push_back(static_cast<std::int64_t>(b));
+    drive_.anchors = settings.filter.anchors;
     const Estimate last = follow(data_, settings, anchors_,
                                  [&](const Estimate& estimate, const Tick& tick, const auto& detections) {
                                    gather_vehicle(estimate, tick);
@@ -112,8 +113,8 @@ class Driver {
     const auto truth = true_position(data_.recording, tick.t);
     drive_.t.push_back(tick.t);
     drive_.path.push_back(vehicle.state.head<2>());
-    drive_.gps.push_back(truth ? truth->position : Eigen::Vector2d(unknown, unknown));
-    drive_.sigma_m.push_back(largest_sigma(Eigen::Matrix2d(vehicle.state_covariance.topLeftCorner<2, 2>())));
+    drive_.gps.push_back(truth ? truth->position : Vector2d(unknown, unknown));
+    drive_.sigma_m.push_back(largest_sigma(Matrix2d(vehicle.state_covariance.topLeftCorner<2, 2>())));
     drive_.sigma_heading_rad.push_back(std::sqrt(std::max(0.0, vehicle.state_covariance(2, 2))));
   }
 
@@ -145,18 +146,18 @@ class Driver {
   }
 
   void compare_with_truth() {
-    std::vector<Eigen::Vector2d> path, gps, fitted_path;
+    std::vector<Vector2d> path, gps, fitted_path;
     for (std::size_t i = 0; i < drive_.path.size(); ++i) {
       if (!drive_.gps[i].allFinite()) continue;
       path.push_back(drive_.path[i]);
       gps.push_back(drive_.gps[i]);
     }
     const PlanarFit fit = fit_rigid(path, gps);
-    for (const Eigen::Vector2d& position : path) fitted_path.push_back(fit(position));
+    for (const Vector2d& position : path) fitted_path.push_back(fit(position));
     drive_.path_rms_m = rms_distance(path, gps);
     drive_.fitted_path_rms_m = rms_distance(fitted_path, gps);
 
-    std::vector<Eigen::Vector2d> surveyed, matched, truth;
+    std::vector<Vector2d> surveyed, matched, truth;
     std::vector<int> times_seen;
     for (std::size_t b = 0; b < data_.beacons.size(); ++b) {
       if (is_anchor(static_cast<std::int64_t>(b))) continue;
@@ -184,11 +185,30 @@ class Driver {
   Drive drive_;
 };
 
+Plot four_frames(const std::string& id, const std::string& title, const Drive& d) {
+  std::vector<double> off;
+  for (std::size_t i = 0; i < d.path.size(); ++i) off.push_back((d.path[i] - d.gps[i]).norm());
+  const auto two_sigmas = each(d.sigma_m, [](double s) { return 2 * s; });
+  const auto degrees = each(d.sigma_heading_rad, [](double s) { return s * 180 / 3.14159265358979; });
+  Panel a = time_panel("(a) vehicle", "from GPS, m"), b = time_panel("(b) vehicle", "σ"),
+        c = time_panel("(c) landmarks", "from their beacons, m"), e = time_panel("(d) landmarks", "σ, m");
+  a.curves = {{"2σ", Style::band, d.t, std::vector<double>(d.t.size(), 0.0), two_sigmas, Color::sky},
+              {"error", Style::line, d.t, off, {}, Color::orange}};
+  b.curves = {{"position, m", Style::line, d.t, d.sigma_m, {}, Color::blue},
+              {"heading, °", Style::line, d.t, degrees, {}, Color::green}};
+  b.log_y = e.log_y = true;
+  for (const Track& track : d.tracks) {
+    c.curves.push_back({"", Style::thin, track.t, track.error_m});
+    e.curves.push_back({"", Style::thin, track.t, track.sigma_m});
+  }
+  return {id, title, 2, {a, b, c, e}};
+}
+
 }  // namespace
 
 double Drive::mean_landmark_sigma_m() const {
   double sum = 0;
-  for (const Eigen::Matrix2d& P : covariances) sum += largest_sigma(P);
+  for (const Matrix2d& P : covariances) sum += largest_sigma(P);
   return sum / static_cast<double>(covariances.size());
 }
 
@@ -251,27 +271,7 @@ double largest_growth(const Drive& d) {
   return most;
 }
 
-Plot four_frames(const std::string& id, const std::string& title, const Drive& d) {
-  std::vector<double> off;
-  for (std::size_t i = 0; i < d.path.size(); ++i) off.push_back((d.path[i] - d.gps[i]).norm());
-  const auto two_sigmas = each(d.sigma_m, [](double s) { return 2 * s; });
-  const auto degrees = each(d.sigma_heading_rad, [](double s) { return s * 180 / 3.14159265358979; });
-  Panel a{"(a) vehicle", "t, s", "from GPS, m", {}}, b{"(b) vehicle", "t, s", "σ", {}},
-      c{"(c) landmarks", "t, s", "from their beacons, m", {}}, e{"(d) landmarks", "t, s", "σ, m", {}};
-  a.curves = {{"2σ", Style::band, d.t, std::vector<double>(d.t.size(), 0.0), two_sigmas, Color::sky},
-              {"error", Style::line, d.t, off, {}, Color::orange}};
-  b.curves = {{"position, m", Style::line, d.t, d.sigma_m, {}, Color::blue},
-              {"heading, °", Style::line, d.t, degrees, {}, Color::green}};
-  b.log_y = e.log_y = true;
-  for (const Track& track : d.tracks) {
-    c.curves.push_back({"", Style::thin, track.t, track.error_m});
-    e.curves.push_back({"", Style::thin, track.t, track.sigma_m});
-  }
-  return {id, title, 2, {a, b, c, e}};
-}
-
-Plot map(const std::string& id, const std::string& title, const Data& data, const Drive& d,
-         const std::vector<Eigen::Vector2d>& anchors) {
+Plot map(const std::string& id, const std::string& title, const Data& data, const Drive& d) {
   Panel panel{"", "east, m", "north, m", {}, true};
   panel.curves = {path_of("GPS", Style::thin, Color::gray, d.gps),
                   path_of("estimated path", Style::line, Color::orange, d.path),
@@ -280,8 +280,13 @@ Plot map(const std::string& id, const std::string& title, const Data& data, cons
   Curve outlines = ellipses("2σ", d.landmarks, d.covariances);
   outlines.color = Color::blue;
   panel.curves.push_back(outlines);
-  if (!anchors.empty()) panel.curves.push_back(path_of("anchors", Style::stars, Color::green, anchors));
+  if (!d.anchors.empty()) panel.curves.push_back(path_of("anchors", Style::stars, Color::green, d.anchors));
   return {id, title, 1, {panel}};
+}
+
+std::vector<Plot> frames_and_map(const std::string& frames_id, const std::string& map_id,
+                                 const std::string& title, const Data& data, const Drive& d) {
+  return {four_frames(frames_id, title, d), map(map_id, title, data, d)};
 }
 
 }  // namespace incognita::car_park

@@ -44,6 +44,7 @@ struct Drive {
   std::vector<Track> tracks;                       ///< by landmark, anchors left out
   std::vector<Eigen::Vector2d> landmarks;          ///< at the end
   std::vector<Eigen::Matrix2d> covariances;
+  std::vector<Eigen::Vector2d> anchors;
   FittedMapError fitted;  ///< after a rigid fit to the survey, begun from that of the path to GPS
   double map_rms_m = 0;   ///< before it, the same landmarks and beacons
   double path_rms_m = 0;  ///< vehicle against GPS
@@ -98,12 +99,12 @@ bool has_smaller_sigmas(const Drive& one, const Drive& other, double times = 1);
 /// The largest share by which a landmark's sigma grows in the second half of its life.
 double largest_growth(const Drive& drive);
 
-/// Four frames over time as in Figure 3.5: vehicle error within 2 sigma, its sigma, landmark errors, their
-/// sigmas.
-Plot four_frames(const std::string& id, const std::string& title, const Drive& drive);
-
 /// Path and landmarks with 2-sigma ellipses, GPS and surveyed beacons, as in Figure 3.6.
-Plot map(const std::string& id, const std::string& title, const Data& data, const Drive& drive,
-         const std::vector<Eigen::Vector2d>& anchors = {});
+Plot map(const std::string& id, const std::string& title, const Data& data, const Drive& drive);
+
+/// Four frames over time as in Figure 3.5 (vehicle error within 2 sigma, its sigma, landmark errors, their
+/// sigmas), and the map.
+std::vector<Plot> frames_and_map(const std::string& frames_id, const std::string& map_id,
+                                 const std::string& title, const Data& data, const Drive& drive);
 
 }  // namespace incognita::car_park

@@ -17,9 +17,7 @@
 namespace incognita {
 namespace {
 
-using car_park::Data;
-using car_park::Drive;
-using car_park::Variant;
+using namespace car_park;
 
 const Variant all_dropped{.decorrelate = Decorrelation::everything},
     map_dropped{.decorrelate = Decorrelation::map},
@@ -53,8 +51,8 @@ Claim unbounded(const Drive& dropped, const Drive& kept, const Data& data) {
       "largest sigma in the second half of the drive is above that in the first, and more than twice that "
       "with full covariance",
       {.printed = "unbounded",
-       .measured = fmt::format("{}; with the right associations: {}; full covariance: {}", numbers(dropped),
-                               numbers(right), numbers(kept)),
+       .measured = {"{}; with the right associations: {}; full covariance: {}", numbers(dropped),
+                    numbers(right), numbers(kept)},
        .why =
            "much larger than with full covariance, but in 112 s without a trend: every measurement of an old "
            "landmark takes back the inflation. Example 3.6 shows the growth without such measurements"},
@@ -66,11 +64,11 @@ Claim wrong_associations(const Drive& dropped, const Drive& kept) {
       "3.7-association", "Example 3.7, Figure 3.14",
       "The inflation is so large that detections are associated with wrong landmarks, or with none",
       {.printed = "data association errors",
-       .measured = fmt::format("{} of {} matches wrong, {} of {} detections unmatched, {} landmarks for 15 "
-                               "beacons; full covariance: {} wrong, {} unmatched, {} landmarks",
-                               dropped.wrong, dropped.matched, dropped.detections - dropped.matched,
-                               dropped.detections, dropped.landmarks.size(), kept.wrong,
-                               kept.detections - kept.matched, kept.landmarks.size())},
+       .measured = {"{} of {} matches wrong, {} of {} detections unmatched, {} landmarks for 15 beacons; "
+                    "full covariance: {} wrong, {} unmatched, {} landmarks",
+                    dropped.wrong, dropped.matched, dropped.detections - dropped.matched, dropped.detections,
+                    dropped.landmarks.size(), kept.wrong, kept.detections - kept.matched,
+                    kept.landmarks.size()}},
       dropped.wrong > kept.wrong || dropped.landmarks.size() > kept.landmarks.size());
 }
 
@@ -85,32 +83,31 @@ Claim bounded(const Drive& d, const Data& data) {
       "With only the map decorrelated the covariances stay bounded: no landmark's sigma grows by more than 5 "
       "% in the second half of its life",
       {.printed = "bounded",
-       .measured = fmt::format("{}; with the right associations: {}", numbers(d), numbers(right)),
+       .measured = {"{}; with the right associations: {}", numbers(d), numbers(right)},
        .why = "initialization inflates the other landmarks as long as new ones are added, and with wrong "
               "associations they are added until the end; with the right ones the covariances stay bounded"},
       largest_growth(d) < 0.05, largest_growth(right) < 0.05);
 }
 
 Claim association_problems(const Drive& d) {
-  return assessed("3.9-association", "Example 3.9, Figure 3.17",
-                  "There are some data association problems due to the large covariances",
-                  {.printed = "some",
-                   .measured = fmt::format(
-                       "{} of {} matches wrong, {} landmarks for 15 beacons, map {:.2f} m rms after a fit",
-                       d.wrong, d.matched, d.landmarks.size(), d.fitted.error.rms_m)},
-                  d.wrong > 0 || d.landmarks.size() != 15);
+  return assessed(
+      "3.9-association", "Example 3.9, Figure 3.17",
+      "There are some data association problems due to the large covariances",
+      {.printed = "some",
+       .measured = {"{} of {} matches wrong, {} landmarks for 15 beacons, map {:.2f} m rms after a fit",
+                    d.wrong, d.matched, d.landmarks.size(), d.fitted.error.rms_m}},
+      d.wrong > 0 || d.landmarks.size() != 15);
 }
 
 Claim avoidable(const Data& data) {
-  const car_park::Start by_compass{.heading_times = 1.0 / 15, .heading_off_deg = -15};
+  const Start by_compass{.heading_times = 1.0 / 15, .heading_off_deg = -15};
   const Drive d = drive(data, {.decorrelate = Decorrelation::map, .start = by_compass});
-  return assessed(
-      "3.9-start", "Example 3.9",
-      "The large covariance causes the wrong associations: from a start with the right heading, known to 1°, "
-      "the same filter makes at most 2 % wrong matches and maps the 15 beacons",
-      {.measured = fmt::format("{} of {} matches wrong, {} landmarks, map {:.3f} m rms after a fit", d.wrong,
-                               d.matched, d.landmarks.size(), d.fitted.error.rms_m)},
-      d.wrong <= 0.02 * d.matched && d.landmarks.size() == 15);
+  return assessed("3.9-start", "Example 3.9",
+                  "The large covariance causes the wrong associations: from a start with the right heading, "
+                  "known to 1°, the same filter makes at most 2 % wrong matches and maps the 15 beacons",
+                  {.measured = {"{} of {} matches wrong, {} landmarks, map {:.3f} m rms after a fit", d.wrong,
+                                d.matched, d.landmarks.size(), d.fitted.error.rms_m}},
+                  d.wrong <= 0.02 * d.matched && d.landmarks.size() == 15);
 }
 
 Claim accurate_map(const Drive& least, const Drive& linear) {
@@ -119,9 +116,8 @@ Claim accurate_map(const Drive& least, const Drive& linear) {
       "A fast and accurate absolute map: landmarks within 0.25 m rms of the survey and the vehicle within "
       "0.20 m rms of GPS, with the least-trace inflation and with the linear-time one",
       {.printed = "accurate",
-       .measured =
-           fmt::format("least trace: landmarks {:.3f} m, vehicle {:.3f} m; linear time: {:.3f} m, {:.3f} m",
-                       least.map_rms_m, least.path_rms_m, linear.map_rms_m, linear.path_rms_m)},
+       .measured = {"least trace: landmarks {:.3f} m, vehicle {:.3f} m; linear time: {:.3f} m, {:.3f} m",
+                    least.map_rms_m, least.path_rms_m, linear.map_rms_m, linear.path_rms_m}},
       is_accurate(least) && is_accurate(linear));
 }
 
@@ -129,12 +125,12 @@ Claim independent_of_the_start(const Data& data, const Drive& d) {
   const auto others = from_other_starts(data, anchored_least_trace);
   Cases cases;
   for (std::size_t i = 0; i < others.drives.size(); ++i)
-    cases.add({fmt::format("{}: {} m", others.starts[i], last_sigmas(others.drives[i]))});
+    cases.add({{"{}: {} m", others.starts[i], last_sigmas(others.drives[i])}});
   return assessed("3.11-independent", "Example 3.11, Figure 3.19 (b), (d)",
                   "The covariances do not depend on the initial conditions: mean landmark sigma and "
                   "vehicle's at the end within 10 % of those from the recording's own start",
                   {.printed = "independent of P0",
-                   .measured = fmt::format("from that start {} m; {}", last_sigmas(d), cases.text())},
+                   .measured = {"from that start {} m; {}", last_sigmas(d), cases.text()}},
                   others.apart_from(d) < 0.1);
 }
 
@@ -159,43 +155,37 @@ Claim linear_time() {
       "Prediction and update with a block-diagonal map covariance cost in proportion to the map (processor "
       "time, measured here: a power below 1.3 from 200 to 1600 landmarks, ten measurements a step), those of "
       "the filter with full covariance grow with a power at least 0.4 higher",
-      {.printed = "O(n)",
-       .measured = fmt::format("exponents {:.1f} and {:.1f}", linear, quadratic),
-       .timed = true},
+      {.printed = "O(n)", .measured = {"exponents {:.1f} and {:.1f}", linear, quadratic}, .timed = true},
       linear < 1.3 && quadratic > linear + 0.4);
 }
 
 LedgerEntry run_3_7(const ExperimentSettings& settings) {
-  return unless_missing(example_3_7, [&] {
-    const Data data = car_park::load();
+  return unless_missing(example_3_7, load, [&](const Data& data) {
     const Drive dropped = drive(data, all_dropped), kept = drive(data, {});
-    const std::string title = "Car park, no anchors, everything decorrelated, EKF";
     return entry_of(example_3_7, settings,
                     {unbounded(dropped, kept, data), wrong_associations(dropped, kept)},
-                    {four_frames("fig-3.13", title, dropped), map("fig-3.14", title, data, dropped)});
+                    frames_and_map("fig-3.13", "fig-3.14",
+                                   "Car park, no anchors, everything decorrelated, EKF", data, dropped));
   });
 }
 
 LedgerEntry run_3_9(const ExperimentSettings& settings) {
-  return unless_missing(example_3_9, [&] {
-    const Data data = car_park::load();
+  return unless_missing(example_3_9, load, [&](const Data& data) {
     const Drive d = drive(data, map_dropped);
-    const std::string title = "Car park, no anchors, map decorrelated, EKF";
-    return entry_of(example_3_9, settings, {bounded(d, data), association_problems(d), avoidable(data)},
-                    {four_frames("fig-3.16", title, d), map("fig-3.17", title, data, d)});
+    return entry_of(
+        example_3_9, settings, {bounded(d, data), association_problems(d), avoidable(data)},
+        frames_and_map("fig-3.16", "fig-3.17", "Car park, no anchors, map decorrelated, EKF", data, d));
   });
 }
 
 LedgerEntry run_3_11(const ExperimentSettings& settings) {
-  return unless_missing(example_3_11, [&] {
-    const Data data = car_park::load();
+  return unless_missing(example_3_11, load, [&](const Data& data) {
     const Drive least = drive(data, anchored_least_trace), linear = drive(data, anchored_linear);
-    const std::string title = "Car park, two anchors, map decorrelated, EKF";
     return entry_of(
         example_3_11, settings,
         {accurate_map(least, linear), linear_time(), independent_of_the_start(data, least),
          smaller_than_relative(data, least)},
-        {four_frames("fig-3.19", title, least), map("fig-3.20", title, data, least, data.anchors)});
+        frames_and_map("fig-3.19", "fig-3.20", "Car park, two anchors, map decorrelated, EKF", data, least));
   });
 }
 

@@ -1,8 +1,6 @@
 // A statement tested case by case: what each case gives, and whether it holds in all of them.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <initializer_list>
 #include <string>
 
@@ -11,7 +9,7 @@
 namespace incognita {
 
 struct CaseResult {
-  std::string text;
+  Text text;
   Finding holds = true;
 };
 
@@ -19,7 +17,7 @@ class Cases {
  public:
   void add(const CaseResult& one) {
     if (!text_.empty()) text_ += "; ";
-    text_ += one.text;
+    text_ += one.text.words;
     hold_ = hold_ && one.holds;
   }
   const std::string& text() const { return text_; }  ///< separated by semicolons
@@ -36,7 +34,7 @@ Cases by_number(std::initializer_list<int> numbers, const One& one) {
   Cases all;
   for (const int n : numbers) {
     const CaseResult result = one(n);
-    all.add({fmt::format("{}: {}", n, result.text), result.holds});
+    all.add({{"{}: {}", n, result.text.words}, result.holds});
   }
   return all;
 }

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "experiments/chapter_5_curves.hpp"
 #include "experiments/closed_loop_statistics.hpp"
+#include "experiments/curves.hpp"
 #include "incognita/math/angles.hpp"
 
 namespace incognita::closed_loop {

@@ -60,13 +60,12 @@ Claim arrive_by(double by_s, const std::vector<double>& arrived_s, const std::st
                 const std::string& place, const std::string& statement, const std::string& printed,
                 const std::string& afterwards) {
   const auto there = std::ranges::count_if(arrived_s, [&](double t) { return t < by_s; });
-  return assessed(
-      id, place, statement,
-      {.printed = printed,
-       .measured = fmt::format("{}, from {:.1f} s on (median). {}", share_text(there, arrived_s.size()),
-                               quantile(arrived_s, 0.5), afterwards),
-       .seeds = arrived_s.size()},
-      happens_in(0.95, there, arrived_s.size()));
+  return assessed(id, place, statement,
+                  {.printed = printed,
+                   .measured = {"{}, from {:.1f} s on (median). {}", share_text(there, arrived_s.size()),
+                                quantile(arrived_s, 0.5), afterwards},
+                   .seeds = arrived_s.size()},
+                  happens_in(0.95, there, arrived_s.size()));
 }
 
 Tracking tracking(const Setup& setup, const Run& run, double from_s) {
@@ -108,9 +107,9 @@ Claim consistent_enough(const std::string& id, const std::string& place, const R
       id, place,
       "The estimate stays usable for control: mean NEES of the pose, over its 3 degrees of freedom, below "
       "1.2",
-      {.measured = fmt::format(
-           "NEES {}; error within two sigmas at {:.1f}, {:.1f}, {:.1f} % of the ticks (x, y, heading)",
-           text(nees), percent[0], percent[1], percent[2]),
+      {.measured =
+           {"NEES {}; error within two sigmas at {:.1f}, {:.1f}, {:.1f} % of the ticks (x, y, heading)",
+            text(nees), percent[0], percent[1], percent[2]},
        .seeds = runs.size()},
       is_below(nees, 1.2));
 }

@@ -1,6 +1,8 @@
 // An experiment's entry of the ledger, from its claims and plots.
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -11,29 +13,36 @@
 
 namespace incognita {
 
+/// A claim, or the claims of a part of an experiment.
+struct ClaimPart {
+  std::vector<Claim> claims;
+  ClaimPart(Claim one) : claims{std::move(one)} {}
+  ClaimPart(std::vector<Claim> many) : claims(std::move(many)) {}
+};
+
+/// Claims of several parts of an experiment, in this order.
+inline std::vector<Claim> concatenated(std::initializer_list<ClaimPart> parts) {
+  std::vector<Claim> all;
+  for (const ClaimPart& part : parts) std::ranges::copy(part.claims, std::back_inserter(all));
+  return all;
+}
+
 /// Draws the plots into the output folder.
 inline LedgerEntry entry_of(const Experiment& experiment, const ExperimentSettings& settings,
-                            std::vector<Claim> claims, const std::vector<Plot>& plots = {}) {
-  LedgerEntry entry{experiment.id, experiment.title, "", std::move(claims), {}};
+                            std::initializer_list<ClaimPart> parts, const std::vector<Plot>& plots = {}) {
+  LedgerEntry entry{experiment.id, experiment.title, "", concatenated(parts), {}};
   for (const Plot& plot : plots) entry.figures.push_back(draw_plot(settings.out, plot, nullptr));
   return entry;
 }
 
-/// The entry that `make` returns; or that it was skipped, and why, where `make` finds no recording.
-template <class Make>
-LedgerEntry unless_missing(const Experiment& experiment, const Make& make) {
+/// The entry that `make` makes of what is loaded; or that it was skipped, and why, where there is no recording.
+template <class Load, class Make>
+LedgerEntry unless_missing(const Experiment& experiment, const Load& load, const Make& make) {
   try {
-    return make();
+    return make(load());
   } catch (const InputError& error) {
     return {experiment.id, experiment.title, error.what(), {}, {}};
   }
-}
-
-/// Claims of several parts of an experiment, in this order.
-inline std::vector<Claim> concatenated(std::vector<std::vector<Claim>> parts) {
-  std::vector<Claim> all;
-  for (std::vector<Claim>& part : parts) std::move(part.begin(), part.end(), std::back_inserter(all));
-  return all;
 }
 
 }  // namespace incognita

@@ -10,9 +10,12 @@
 // parts of Example 5.4.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <concepts>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "incognita/analysis/evaluation/statistics.hpp"
 #include "incognita/report/ledger.hpp"
@@ -78,11 +81,23 @@ std::string below(double difference);
 /// - else, or with fewer runs than Claim::least_runs: undecided, and `why` says what was missing.
 Claim assessed(Claim claim, Finding printed, Finding corrected = Finding::refuted);
 
+/// A text, or a format with what goes into it: `{"dimension {} of {}", 3, 5}`.
+struct Text {
+  std::string words;
+
+  Text() = default;
+  Text(std::string written) : words(std::move(written)) {}
+  Text(const char* written) : words(written) {}
+  template <class First, class... Others>
+  Text(fmt::format_string<First, Others...> format, First&& first, Others&&... others)
+      : words(fmt::format(format, std::forward<First>(first), std::forward<Others>(others)...)) {}
+};
+
 /// The members of a Claim that follow its statement.
 struct Evidence {
-  std::string printed = {};
-  std::string measured;
-  std::string why = {};
+  Text printed = {};
+  Text measured;
+  Text why = {};
   RunCount runs = 1;    ///< cases, where there is no chance
   RunCount seeds = -1;  ///< random runs, in place of `runs`: the verdict takes `enough_runs` of them
   bool timed = false;

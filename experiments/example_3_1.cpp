@@ -9,15 +9,11 @@
 // of 0.
 #include "experiments/common.hpp"
 #include "experiments/linear_filter.hpp"
-#include "incognita/math/random.hpp"
 
 namespace incognita {
 namespace {
 
-using Eigen::Matrix2d;
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using monobot::Setup;
+using namespace monobot;
 
 const std::vector<double> process_noises_m = {0.05, 0.1, 0.3, 0.7, 2},
                           measurement_noises_m = {0.05, 0.2, 0.5, 1.5};
@@ -65,9 +61,9 @@ Claim one_eigenvalue_is_one() {
                   "For every gain the eigenvalues of F - KHF are 1 and k1 - k2 + 1; tested on the vector [1 "
                   "1]', which must come back unchanged, and the trace, to 1e-12",
                   {.printed = "{1, k1 - k2 + 1}",
-                   .measured = fmt::format("largest differences over 1000 gains, a third of them with k1 = "
-                                           "k2 to 1e-9, where both eigenvalues are 1: {} and {}",
-                                           below(off_one), below(off_other)),
+                   .measured = {"largest differences over 1000 gains, a third of them with k1 = k2 to 1e-9, "
+                                "where both eigenvalues are 1: {} and {}",
+                                below(off_one), below(off_other)},
                    .runs = 1000},
                   std::max(off_one, off_other) <= 1e-12);
 }
@@ -75,7 +71,7 @@ Claim one_eigenvalue_is_one() {
 /// The covariance in the steady state: the first estimates corrected once by the information of all
 /// measurements about the relative position, whose variance then is p - v^2; the robot has p more.
 Matrix2d steady(double v, double w) {
-  const double p = monobot::relative_variance(v, w), landmark = (p - v * v) / (1 + p - v * v);
+  const double p = relative_variance(v, w), landmark = (p - v * v) / (1 + p - v * v);
   return Matrix2d::Constant(landmark) + Matrix2d(Vector2d(p, 0).asDiagonal());
 }
 
@@ -95,14 +91,14 @@ Claim steady_state_covariance() {
       "3.1-steady-covariance", "(3.9), Example 3.1",
       "Solving the Riccati equation from the covariance diag(0, 1) gives this steady state, to 1e-9",
       {.printed = "diag(s_v^2, s_w^2/(1 + s_w^2)); with s_v 0.1 m, s_w 0.2 m: diag(0.01, 0.0385) m^2",
-       .measured = fmt::format("with the same noises [{:.4f} {:.4f}; {:.4f} {:.4f}] m^2. Largest relative "
-                               "difference from the limit over {} pairs of noises: {}",
-                               P(0, 0), P(0, 1), P(1, 0), P(1, 1),
-                               process_noises_m.size() * measurement_noises_m.size(), worst.text()),
-       .why = fmt::format(
-           "what is printed is the covariance after one update and one prediction (difference {}). The limit "
-           "is [c+p c; c c], p = (s_v^2 + sqrt(s_v^4 + 4 s_v^2 s_w^2))/2, c = (p - s_v^2)/(1 + p - s_v^2)",
-           below(of_second_step))},
+       .measured = {"with the same noises [{:.4f} {:.4f}; {:.4f} {:.4f}] m^2. Largest relative difference "
+                    "from the limit over {} pairs of noises: {}",
+                    P(0, 0), P(0, 1), P(1, 0), P(1, 1), process_noises_m.size() * measurement_noises_m.size(),
+                    worst.text()},
+       .why = {"what is printed is the covariance after one update and one prediction (difference {}). The "
+               "limit is [c+p c; c c], p = (s_v^2 + sqrt(s_v^4 + 4 s_v^2 s_w^2))/2, c = (p - s_v^2)/(1 + p - "
+               "s_v^2)",
+               below(of_second_step)}},
       worst, 1e-9);
 }
 
@@ -110,7 +106,7 @@ Claim steady_state_gain() {
   Worst worst;
   for_all_noises([&](double v, double w) {
     const RiccatiLimit l = limit(v, w);
-    const double p = monobot::relative_variance(v, w),
+    const double p = relative_variance(v, w),
                  s2 = (system(v, w).H * l.P * system(v, w).H.transpose())(0, 0) + w * w;
     worst.take(
         std::max(relative_difference(printed(v, w).K, l.K), std::abs(printed(v, w).s2 / s2 - 1)),
@@ -120,11 +116,10 @@ Claim steady_state_gain() {
   return assessed(
       "3.1-steady-gain", "(3.10) and the gain above it, Example 3.1",
       "Gain and innovation variance in the steady state, to 1e-9",
-      {.printed = fmt::format(
-           "K = [-s_v^2, s_w^2/(1 + s_w^2)]'/s^2; with s_v 0.1 m, s_w 0.2 m: [{:.3f}, {:.3f}]'", K[0], K[1]),
-       .measured = fmt::format(
-           "with the same noises [{:.3f}, {:.3f}]'. Largest relative difference over all noises: {}", ours[0],
-           std::abs(ours[1]), worst.text()),
+      {.printed = {"K = [-s_v^2, s_w^2/(1 + s_w^2)]'/s^2; with s_v 0.1 m, s_w 0.2 m: [{:.3f}, {:.3f}]'", K[0],
+                   K[1]},
+       .measured = {"with the same noises [{:.3f}, {:.3f}]'. Largest relative difference over all noises: {}",
+                    ours[0], std::abs(ours[1]), worst.text()},
        .why = "those of the second step. In the limit K = [-p/(p + s_w^2), 0]', s^2 = p + s_w^2: the "
               "landmark is not corrected any more"},
       worst, 1e-9);
@@ -153,7 +148,7 @@ Claim second_eigenvalue() {
   double of_printed = 0, of_second_step = 0, of_limit = 0;
   for_all_noises([&](double v, double w) {
     const auto [P, s2, K] = printed(v, w);
-    const double p = monobot::relative_variance(v, w);
+    const double p = relative_variance(v, w);
     const double at_second = error_dynamics(system(v, w), K).trace() - 1;
     const double at_limit = error_dynamics(system(v, w), limit(v, w).K).trace() - 1;
     of_printed = std::max(of_printed, std::abs((v * v - w * w) / s2 - at_second));
@@ -161,51 +156,50 @@ Claim second_eigenvalue() {
     of_limit = std::max(of_limit, std::abs(w * w / (p + w * w) - at_limit));
   });
   const double s2 = printed(0.1, 0.2).s2;
-  return assessed(
-      "3.1-second-eigenvalue", "below (3.11), Example 3.1", "The second eigenvalue for that gain, to 1e-9",
-      {.printed = fmt::format("(s_v^2 - s_w^2)/s^2; with s_v 0.1 m, s_w 0.2 m: {:.3f}", (0.01 - 0.04) / s2),
-       .measured = fmt::format("with the same noises {:.3f}. Largest difference over all noises: printed "
-                               "{:.2g}, ours {}; in the limit {}",
-                               0.04 / s2, of_printed, below(of_second_step), below(of_limit)),
-       .why = "s_w^2/s^2 for that gain; s_w^2/(p + s_w^2) in the limit"},
-      of_printed <= 1e-9, std::max(of_second_step, of_limit) <= 1e-9);
+  return assessed("3.1-second-eigenvalue", "below (3.11), Example 3.1",
+                  "The second eigenvalue for that gain, to 1e-9",
+                  {.printed = {"(s_v^2 - s_w^2)/s^2; with s_v 0.1 m, s_w 0.2 m: {:.3f}", (0.01 - 0.04) / s2},
+                   .measured = {"with the same noises {:.3f}. Largest difference over all noises: printed "
+                                "{:.2g}, ours {}; in the limit {}",
+                                0.04 / s2, of_printed, below(of_second_step), below(of_limit)},
+                   .why = "s_w^2/s^2 for that gain; s_w^2/(p + s_w^2) in the limit"},
+                  of_printed <= 1e-9, std::max(of_second_step, of_limit) <= 1e-9);
 }
 
 Claim always_one() {
-  double off_one = 0, lowest = 1, highest = 0;
+  double off_one = 0;
+  Extremes other;
   for_all_noises([&](double v, double w) {
     const MatrixXd A = error_dynamics(system(v, w), limit(v, w).K);
     off_one = std::max(off_one, (A * Vector2d::Ones() - Vector2d::Ones()).norm());
-    lowest = std::min(lowest, A.trace() - 1);
-    highest = std::max(highest, A.trace() - 1);
+    other.take(A.trace() - 1);
   });
   return assessed("3.1-marginal", "Figure 3.3, Example 3.1",
                   "Whatever the noises, one eigenvalue is 1 (to 1e-12) and the other inside the circle: the "
                   "error dynamics are marginally stable, also in the steady state",
                   {.printed = "1",
-                   .measured = fmt::format("difference of one from 1 {}; the other is between {:.3g} and "
-                                           "{:.3g}, over s_v 0.05 to 2 m, s_w 0.05 to 1.5 m",
-                                           below(off_one), lowest, highest)},
-                  off_one <= 1e-12 && lowest > 0 && highest < 1);
+                   .measured = {"difference of one from 1 {}; the other is between {:.3g} and {:.3g}, over "
+                                "s_v 0.05 to 2 m, s_w 0.05 to 1.5 m",
+                                below(off_one), other.least, other.most}},
+                  off_one <= 1e-12 && other.least > 0 && other.most < 1);
 }
 
 Claim finite_steady_error(int seeds) {
   const Setup setup{.steps = 1000};
-  const auto runs = monobot::simulate_all(setup, seeds);
-  const Interval after_100 = rms_of(monobot::errors(runs, 1, 100)),
-                 after_1000 = rms_of(monobot::errors(runs, 1, 1000));
-  const MatrixXd P = monobot::settled_prior(setup);
+  const auto runs = simulate_all(setup, seeds);
+  const Interval after_100 = rms_of(errors(runs, 1, 100)), after_1000 = rms_of(errors(runs, 1, 1000));
+  const MatrixXd P = settled_prior(setup);
   const double landmark = std::sqrt(P(1, 1)), robot = std::sqrt(P(0, 0) - setup.sigma_v_m * setup.sigma_v_m);
   const Finding as_predicted = agrees(after_1000, landmark, 0.2 * landmark) &&
-                               agrees(rms_of(monobot::errors(runs, 0, 1000)), robot, 0.2 * robot);
+                               agrees(rms_of(errors(runs, 0, 1000)), robot, 0.2 * robot);
   return assessed("3.1-finite-error", "below (3.11), Figure 3.4 (b), (c)",
                   "The errors of robot and landmark neither grow nor vanish: rms over runs after 1000 steps "
                   "as predicted by the limit covariance, to a fifth",
                   {.printed = "finite",
-                   .measured = fmt::format("landmark {} after 100 steps, {} after 1000, predicted {:.3f} m; "
-                                           "robot {} after 1000, predicted {:.3f} m",
-                                           text(after_100, "m"), text(after_1000, "m"), landmark,
-                                           text(rms_of(monobot::errors(runs, 0, 1000)), "m"), robot),
+                   .measured = {"landmark {} after 100 steps, {} after 1000, predicted {:.3f} m; robot {} "
+                                "after 1000, predicted {:.3f} m",
+                                text(after_100, "m"), text(after_1000, "m"), landmark,
+                                text(rms_of(errors(runs, 0, 1000)), "m"), robot},
                    .seeds = seeds},
                   as_predicted);
 }
@@ -218,17 +212,17 @@ Claim depends_on_the_start(int seeds) {
     lost = std::max(lost, (by.array() - 1).abs().maxCoeff());
   }
   // the robot's first error is 1 m rms, and the landmark is initialized from its first measurement
-  const auto runs = monobot::simulate_all({.robot_var_m2 = 1, .landmark_var_m2 = {}}, seeds);
-  const auto first = monobot::errors(runs, 0, 0), last = monobot::errors(runs, 1, 100);
+  const auto runs = simulate_all({.robot_var_m2 = 1, .landmark_var_m2 = {}}, seeds);
+  const auto first = errors(runs, 0, 0), last = errors(runs, 1, 100);
   const Finding slope_one = agrees(slope_of(first, last), 1, 0.05);
-  return assessed("3.1-initial-conditions", "below (3.11), Example 3.1",
-                  "The steady-state error depends on the initial conditions: all first estimates wrong by 1 "
-                  "m stay wrong by 1 m (to 1e-9 over 1000 steps), and over runs the landmark's final error "
-                  "follows the robot's first with slope 1 to 0.05",
-                  {.measured = fmt::format("of 1 m, in m, was lost {}; slope {}", below(lost),
-                                           text(slope_of(first, last))),
-                   .seeds = seeds},
-                  lost <= 1e-9 && slope_one);
+  return assessed(
+      "3.1-initial-conditions", "below (3.11), Example 3.1",
+      "The steady-state error depends on the initial conditions: all first estimates wrong by 1 m stay wrong "
+      "by 1 m (to 1e-9 over 1000 steps), and over runs the landmark's final error follows the robot's first "
+      "with slope 1 to 0.05",
+      {.measured = {"of 1 m, in m, was lost {}; slope {}", below(lost), text(slope_of(first, last))},
+       .seeds = seeds},
+      lost <= 1e-9 && slope_one);
 }
 
 Claim more_landmarks(int seeds) {
@@ -237,51 +231,48 @@ Claim more_landmarks(int seeds) {
   std::vector<double> of_one, difference, variances;
   for (const int n : {1, 2, 5, 10, 20}) {
     const Setup setup{.landmarks = n, .steps = 50};
-    const auto last = monobot::errors(monobot::simulate_all(setup, runs), 1, 50);
-    variances.push_back(monobot::settled_prior(setup)(1, 1));
+    const auto last = errors(simulate_all(setup, runs), 1, 50);
+    variances.push_back(settled_prior(setup)(1, 1));
     lines.push_back(fmt::format("{}: {}", n, text(rms_of(last), "m")));
     if (n == 1) of_one = last;
-    difference = monobot::squares_less(last, of_one);
+    difference = squares_less(last, of_one);
   }
-  const double floor =
-      monobot::settled_prior({.landmarks = 1000, .robot_var_m2 = 1, .landmark_var_m2 = {}})(1, 1);
-  return assessed(
-      "3.1-more-landmarks", "below Figure 3.3, Example 3.1",
-      "The steady-state error, smaller than the initial one, is smaller the more landmarks there are: by the "
-      "limit covariance, and in paired runs with 1 and 20 landmarks",
-      {.measured = fmt::format("rms error of the first landmark by number of landmarks: {}; mean square with "
-                               "1 less that with 20: {}. But never below the robot's first error: 1000 "
-                               "landmarks initialized by a robot that starts with 1 m settle at {:.4f} m",
-                               fmt::join(lines, "; "), text(mean_of(difference), "m^2"), std::sqrt(floor)),
-       .seeds = runs},
-      is_above(mean_of(difference), 0) && std::is_sorted(variances.rbegin(), variances.rend()) &&
-          variances[0] < 1);
+  const double floor = settled_prior({.landmarks = 1000, .robot_var_m2 = 1, .landmark_var_m2 = {}})(1, 1);
+  return assessed("3.1-more-landmarks", "below Figure 3.3, Example 3.1",
+                  "The steady-state error, smaller than the initial one, is smaller the more landmarks there "
+                  "are: by the limit covariance, and in paired runs with 1 and 20 landmarks",
+                  {.measured = {"rms error of the first landmark by number of landmarks: {}; mean square "
+                                "with 1 less that with 20: {}. But never below the robot's first error: 1000 "
+                                "landmarks initialized by a robot that starts with 1 m settle at {:.4f} m",
+                                fmt::join(lines, "; "), text(mean_of(difference), "m^2"), std::sqrt(floor)},
+                   .seeds = runs},
+                  is_above(mean_of(difference), 0) && std::is_sorted(variances.rbegin(), variances.rend()) &&
+                      variances[0] < 1);
 }
 
 Claim landmark_gain_vanishes() {
   double exponent = 0;
   const Cases cases = by_number({1, 2}, [&](int n) -> CaseResult {
-    const auto gains = monobot::course({.landmarks = n, .steps = 10'000}).gain;
+    const auto gains = course({.landmarks = n, .steps = 10'000}).gain;
     const auto largest = [&](int step) { return gains[step].bottomRows(n).cwiseAbs().maxCoeff(); };
     exponent = exponent_of({100, 1000, 10'000}, {largest(100), largest(1000), largest(10'000)});
-    return {fmt::format("{:.2g}, {:.2g}, {:.2g}", largest(10), largest(100), largest(10'000)),
-            largest(10'000) < 1e-3};
+    return {{"{:.2g}, {:.2g}, {:.2g}", largest(10), largest(100), largest(10'000)}, largest(10'000) < 1e-3};
   });
   return assessed(
       "3.1-landmark-gain", "below Figure 3.3, Figure 3.4 (d)",
       "The landmark part of the gain goes to zero; tested: below 1e-3 after 10000 steps",
       {.printed = "0",
-       .measured = fmt::format(
-           "after 10, 100 and 10000 steps, by number of landmarks: {}; with two it falls as step^{:.2f}",
-           cases.text(), exponent)},
+       .measured =
+           {"after 10, 100 and 10000 steps, by number of landmarks: {}; with two it falls as step^{:.2f}",
+            cases.text(), exponent}},
       cases.hold());
 }
 
 Claim landmark_variance_vanishes() {
   const Cases cases = by_number({1, 2}, [](int n) -> CaseResult {
-    const auto P = monobot::course({.landmarks = n, .steps = 10'000}).posterior;
-    const double limit = monobot::settled_prior({.landmarks = n})(1, 1);
-    return {fmt::format("{:.4f}, {:.4f} m^2, limit {:.4f} m^2", P[100](1, 1), P[10'000](1, 1), limit),
+    const auto P = course({.landmarks = n, .steps = 10'000}).posterior;
+    const double limit = settled_prior({.landmarks = n})(1, 1);
+    return {{"{:.4f}, {:.4f} m^2, limit {:.4f} m^2", P[100](1, 1), P[10'000](1, 1), limit},
             P[10'000](1, 1) < 0.1 * P[100](1, 1)};
   });
   return assessed("3.1-landmark-variance", "below Figure 3.3, Example 3.1; Section 3.5",
@@ -298,7 +289,7 @@ Claim landmark_variance_vanishes() {
 /// formula.
 Plot eigenvalue_surfaces() {
   const auto steady = [](double v, double w) {
-    return std::vector<double>{1, w * w / (monobot::relative_variance(v, w) + w * w)};
+    return std::vector<double>{1, w * w / (relative_variance(v, w) + w * w)};
   };
   const auto second = [](double v, double w) {
     const double s2 = printed(v, w).s2;
@@ -311,13 +302,13 @@ Plot eigenvalue_surfaces() {
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  return entry_of(example_3_1, settings,
-                  {one_eigenvalue_is_one(), steady_state_covariance(), steady_state_gain(), printed_matrix(),
-                   second_eigenvalue(), always_one(), finite_steady_error(settings.seeds),
-                   depends_on_the_start(settings.seeds), more_landmarks(settings.seeds),
-                   landmark_gain_vanishes(), landmark_variance_vanishes(),
-                   monobot::consistent("3.1-consistent", "Figure 3.4 (b), (c)", {}, settings.seeds)},
-                  {eigenvalue_surfaces(), monobot::four_rows("fig-3.4", "No anchor", {})});
+  return entry_of(
+      example_3_1, settings,
+      {one_eigenvalue_is_one(), steady_state_covariance(), steady_state_gain(), printed_matrix(),
+       second_eigenvalue(), always_one(), finite_steady_error(settings.seeds),
+       depends_on_the_start(settings.seeds), more_landmarks(settings.seeds), landmark_gain_vanishes(),
+       landmark_variance_vanishes(), consistent("3.1-consistent", "Figure 3.4 (b), (c)", {}, settings.seeds)},
+      {eigenvalue_surfaces(), four_rows("fig-3.4", "No anchor", {})});
 }
 
 }  // namespace

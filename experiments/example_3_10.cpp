@@ -10,10 +10,7 @@
 namespace incognita {
 namespace {
 
-using Eigen::MatrixXd;
-using monobot::Course;
-using monobot::Decorrelated;
-using monobot::Setup;
+using namespace monobot;
 
 Setup decorrelated(int landmarks, Decorrelated what, int steps = 1000, bool anchored = true) {
   return {.landmarks = landmarks, .anchored = anchored, .decorrelated = what, .steps = steps};
@@ -25,9 +22,9 @@ Claim stable() {
     const Course course = monobot::course(setup);
     const MatrixXd& P = course.posterior[1000];
     const double change = relative_difference(course.posterior[500], P);
-    const double largest = eigenvalues(error_dynamics(monobot::system(setup), course.gain[1000])).maxCoeff();
-    return {fmt::format("robot {:.5f}, landmark {:.5f} m^2, change {}, eigenvalue {:.3f}", P(0, 0), P(1, 1),
-                        below(change), largest),
+    const double largest = eigenvalues(error_dynamics(system(setup), course.gain[1000])).maxCoeff();
+    return {{"robot {:.5f}, landmark {:.5f} m^2, change {}, eigenvalue {:.3f}", P(0, 0), P(1, 1),
+             below(change), largest},
             change < 1e-6 && largest < 0.999};
   });
   return assessed(
@@ -51,7 +48,7 @@ Claim gain_never_zero(const std::string& id, const std::string& place, Decorrela
   const Cases cases = by_number({1, 2}, [&](int n) -> CaseResult {
     const Course course = monobot::course(decorrelated(n, what));
     const double at_100 = landmark_gain(course, 100), at_1000 = landmark_gain(course, 1000);
-    return {fmt::format("{:.4f}, {:.4f}", at_100, at_1000), at_1000 > 0.5 * at_100};
+    return {{"{:.4f}, {:.4f}", at_100, at_1000}, at_1000 > 0.5 * at_100};
   });
   return assessed(id, place,
                   fmt::format("With an anchor and {} decorrelated the landmarks' gains never reach zero",
@@ -67,7 +64,7 @@ Claim independent_of_the_start() {
   const auto last = [](Setup setup, double robot_var, double landmark_var) {
     setup.robot_var_m2 = robot_var;
     setup.landmark_var_m2 = landmark_var;
-    return MatrixXd(monobot::course(setup).posterior.back());
+    return MatrixXd(course(setup).posterior.back());
   };
   const auto spread = [&](const Setup& setup) {
     const MatrixXd P = last(setup, 0, 1);
@@ -82,8 +79,8 @@ Claim independent_of_the_start() {
       "The solution of the Riccati equation no longer depends on the initial covariance: from three of them "
       "(robot 0, 1, 100 m^2, landmark 1, 1, 0.01 m^2) it settles at the same value, to 1e-6",
       {.printed = "independent",
-       .measured = fmt::format("largest relative difference after 600 steps: {} (Example 3.1: {:.2g})",
-                               below(of_anchored), of_free)},
+       .measured = {"largest relative difference after 600 steps: {} (Example 3.1: {:.2g})",
+                    below(of_anchored), of_free}},
       of_anchored < 1e-6);
 }
 
@@ -91,12 +88,11 @@ Claim lower_than_without_anchor() {
   Cases cases;
   for (const auto what : {Decorrelated::map, Decorrelated::everything})
     for (const int n : {1, 2}) {
-      const auto anchored = monobot::course(decorrelated(n, what, 100)).posterior,
-                 free = monobot::course(decorrelated(n, what, 100, false)).posterior;
-      cases.add({fmt::format("{} with {}: robot {:.4f} against {:.4f}, landmark {:.4f} against {:.4f} m^2",
-                             name(what), n, anchored[100](0, 0), free[100](0, 0), anchored[100](1, 1),
-                             free[100](1, 1)),
-                 monobot::smaller_variances(anchored, free)});
+      const auto anchored = course(decorrelated(n, what, 100)).posterior,
+                 free = course(decorrelated(n, what, 100, false)).posterior;
+      cases.add({{"{} with {}: robot {:.4f} against {:.4f}, landmark {:.4f} against {:.4f} m^2", name(what),
+                  n, anchored[100](0, 0), free[100](0, 0), anchored[100](1, 1), free[100](1, 1)},
+                 smaller_variances(anchored, free)});
     }
   return assessed("3.10-variance", "Example 3.10",
                   "Variances reach lower values than in the partially observable case, at every step",
@@ -105,23 +101,23 @@ Claim lower_than_without_anchor() {
 
 Claim map_alone_is_better(int seeds) {
   const Cases traces = by_number({1, 2}, [](int n) -> CaseResult {
-    const double map = monobot::course(decorrelated(n, Decorrelated::map, 100)).posterior[100].trace(),
-                 all = monobot::course(decorrelated(n, Decorrelated::everything, 100)).posterior[100].trace();
-    return {fmt::format("{:.4f} against {:.4f} m^2", map, all), map < all};
+    const double map = course(decorrelated(n, Decorrelated::map, 100)).posterior[100].trace(),
+                 all = course(decorrelated(n, Decorrelated::everything, 100)).posterior[100].trace();
+    return {{"{:.4f} against {:.4f} m^2", map, all}, map < all};
   });
   const auto last = [&](Decorrelated what) {
-    return monobot::errors(monobot::simulate_all(decorrelated(1, what, 100), seeds), 1, 100);
+    return errors(simulate_all(decorrelated(1, what, 100), seeds), 1, 100);
   };
   const auto map = last(Decorrelated::map), all = last(Decorrelated::everything);
-  const std::vector<double> gain = monobot::squares_less(map, all);
+  const std::vector<double> gain = squares_less(map, all);
   return assessed("3.10-map-alone", "below Figure 3.18, Section 3.4",
                   "Also with full observability it is best to decorrelate only the map: smaller trace after "
                   "100 steps, and smaller errors of the landmark in paired runs (one landmark)",
                   {.printed = "best",
-                   .measured = fmt::format("trace by number of landmarks, map alone against everything: {}; "
-                                           "rms error {} against {}; mean square less: {}",
-                                           traces.text(), text(rms_of(map), "m"), text(rms_of(all), "m"),
-                                           text(mean_of(gain), "m^2")),
+                   .measured = {"trace by number of landmarks, map alone against everything: {}; rms error "
+                                "{} against {}; mean square less: {}",
+                                traces.text(), text(rms_of(map), "m"), text(rms_of(all), "m"),
+                                text(mean_of(gain), "m^2")},
                    .seeds = seeds},
                   traces.hold() && is_above(mean_of(gain), 0));
 }
@@ -131,8 +127,8 @@ Claim pseudo_noise_on_everything() {
     const Setup setup{.landmarks = n, .anchored = true};
     const LinearSystem noisy = with_constant_noise(setup, true);
     const RiccatiLimit limit = iterate_riccati(noisy, predicted(noisy, start_of(setup)));
-    return {fmt::format("{}, landmark {:.5f} m^2 before the update, gain {:.4f}", limit.reason, limit.P(1, 1),
-                        limit.K(1, 1)),
+    return {{"{}, landmark {:.5f} m^2 before the update, gain {:.4f}", limit.reason, limit.P(1, 1),
+             limit.K(1, 1)},
             limit.settled && limit.K(1, 1) > 1e-3};
   });
   return assessed("3.10-pseudo-noise", "Section 3.4",
@@ -151,10 +147,10 @@ LedgerEntry run(const ExperimentSettings& settings) {
                        "trace does not reach their mean: its variance goes to zero as one over the number of "
                        "steps, dP with it, and with both every gain of the landmarks"),
        independent_of_the_start(), lower_than_without_anchor(), map_alone_is_better(settings.seeds),
-       monobot::inflated("3.10-inflated", decorrelated(1, Decorrelated::everything, 100), settings.seeds),
+       inflated("3.10-inflated", decorrelated(1, Decorrelated::everything, 100), settings.seeds),
        pseudo_noise_on_everything()},
-      {monobot::four_rows("fig-3.18", "With an anchor, everything decorrelated",
-                          decorrelated(1, Decorrelated::everything, 100))});
+      {four_rows("fig-3.18", "With an anchor, everything decorrelated",
+                 decorrelated(1, Decorrelated::everything, 100))});
 }
 
 }  // namespace

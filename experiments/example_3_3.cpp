@@ -6,19 +6,13 @@
 // them), and errors over seeds 1, 2, ... Holds: an equation to 1e-12 relative; an eigenvalue inside (0, 1); a
 // mean whose 99.9 % interval has 0 in it; what is forgotten when less than 2 % of it is left after 1000
 // steps.
-#include <Eigen/Eigenvalues>
-
 #include "experiments/common.hpp"
 #include "experiments/linear_filter.hpp"
-#include "incognita/math/random.hpp"
 
 namespace incognita {
 namespace {
 
-using Eigen::Matrix2d;
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using monobot::Setup;
+using namespace monobot;
 
 LinearSystem system(double v, double w) {
   return monobot::system({.anchored = true, .sigma_v_m = v, .sigma_w_m = w});
@@ -51,7 +45,7 @@ Claim full_rank() {
   const Cases cases = by_number({1, 2, 5, 10}, [](int n) -> CaseResult {
     const Rank anchored = rank_of(observability_matrix(monobot::system({.landmarks = n, .anchored = true})));
     const Rank free = rank_of(observability_matrix(monobot::system({.landmarks = n})));
-    return {fmt::format("{} of {} (without {})", anchored.rank, n + 1, free.rank), anchored.rank == n + 1};
+    return {{"{} of {} (without {})", anchored.rank, n + 1, free.rank}, anchored.rank == n + 1};
   });
   return assessed(
       "3.3-observable", "below (3.12), Example 3.3", "With the anchor the observability matrix has full rank",
@@ -72,37 +66,36 @@ Claim closed_form_gains() {
   return assessed(
       "3.3-gains", "(3.14), (3.15), Example 3.3",
       "These are the gains of the second step from the covariance I, to 1e-12",
-      {.printed = fmt::format("k11 has 4 s_v s_w^2; with s_v 0.1 m, s_w 0.2 m: k11 = {:.4f}",
-                              closed_form_gain(0.1, 0.2, true)(0, 0)),
-       .measured = fmt::format(
-           "with the same noises k11 = {:.4f}. Largest relative difference over 16 pairs of noises: {}",
-           gain_of_second_step(system(0.1, 0.2), Matrix2d::Identity())(0, 0), worst.text()),
-       .why = fmt::format("4 s_v^2 s_w^2 in k11 (the two agree at s_v = 1 m). Not the steady state, and not "
-                          "from the diag(0, 1) of Example 3.1 either: from there they differ by up to {:.2g}",
-                          of_example)},
+      {.printed = {"k11 has 4 s_v s_w^2; with s_v 0.1 m, s_w 0.2 m: k11 = {:.4f}",
+                   closed_form_gain(0.1, 0.2, true)(0, 0)},
+       .measured =
+           {"with the same noises k11 = {:.4f}. Largest relative difference over 16 pairs of noises: {}",
+            gain_of_second_step(system(0.1, 0.2), Matrix2d::Identity())(0, 0), worst.text()},
+       .why = {"4 s_v^2 s_w^2 in k11 (the two agree at s_v = 1 m). Not the steady state, and not from the "
+               "diag(0, 1) of Example 3.1 either: from there they differ by up to {:.2g}",
+               of_example}},
       worst, 1e-12);
 }
 
 Claim inside_the_circle() {
-  double lowest = 1, highest = 0;
+  Extremes inside;
   for (int i = 1; i <= 40; ++i)
     for (int j = 1; j <= 40; ++j) {
       const double v = 0.05 * i, w = 0.05 * j;
       const Vector2d values = eigenvalues(system(v, w), closed_form_gain(v, w, false));
-      lowest = std::min(lowest, values[0]);
-      highest = std::max(highest, values[1]);
+      inside.take(values[0]), inside.take(values[1]);
     }
-  return assessed(
-      "3.3-inside", "Figure 3.7, Example 3.3", "With those gains no eigenvalue of F - KHF reaches 0 or 1",
-      {.printed = "inside (0, 1)",
-       .measured =
-           fmt::format("between {:.4f} and {:.4f} over s_v and s_w from 0.05 to 2 m", lowest, highest)},
-      lowest > 0 && highest < 1);
+  return assessed("3.3-inside", "Figure 3.7, Example 3.3",
+                  "With those gains no eigenvalue of F - KHF reaches 0 or 1",
+                  {.printed = "inside (0, 1)",
+                   .measured = {"between {:.4f} and {:.4f} over s_v and s_w from 0.05 to 2 m", inside.least,
+                                inside.most}},
+                  inside.least > 0 && inside.most < 1);
 }
 
 Claim inside_at_every_step() {
   RandomStream random(1, "noises");
-  double lowest = 1, highest = 0;
+  Extremes inside;
   for (int i = 0; i < 200; ++i) {
     const LinearSystem s = system(random.uniform(0.02, 2), random.uniform(0.02, 2));
     MatrixXd P = predicted(s, Vector2d(0, 1).asDiagonal().toDenseMatrix());
@@ -110,8 +103,7 @@ Claim inside_at_every_step() {
       const MatrixXd K = kalman_gain(s, P);
       if (k % 100 == 99 || k < 3) {
         const Vector2d values = eigenvalues(s, K);
-        lowest = std::min(lowest, values[0]);
-        highest = std::max(highest, values[1]);
+        inside.take(values[0]), inside.take(values[1]);
       }
       P = predicted(s, updated(s, P, K));
     }
@@ -120,13 +112,13 @@ Claim inside_at_every_step() {
                   "The observability matrix having full rank, the eigenvalues of F - KHF are inside the "
                   "circle for any Q and R; tested at steps 1 to 1000 of 200 pairs of noises",
                   {.printed = "inside the unit circle",
-                   .measured = fmt::format("between {:.2g} and {:.5f}", lowest, highest)},
-                  lowest > 0 && highest < 1);
+                   .measured = {"between {:.2g} and {:.5f}", inside.least, inside.most}},
+                  inside.least > 0 && inside.most < 1);
 }
 
 Claim inside_in_the_limit() {
   const LinearSystem s = system(0.1, 0.2);
-  const MatrixXd first = predicted(s, monobot::first_covariance({.anchored = true}));
+  const MatrixXd first = predicted(s, first_covariance({.anchored = true}));
   const std::vector<double> steps{100, 1000, 10'000};
   const std::vector<double> from_one = each(steps, [&](double k) {
     return 1 - eigenvalues(s, iterate_riccati(s, first, {.max_iterations = static_cast<int>(k)}).K)[1];
@@ -136,8 +128,8 @@ Claim inside_in_the_limit() {
       "In the steady state, too, full observability keeps the eigenvalues off 1; tested: 100 times the steps "
       "leave more than half of the distance from 1",
       {.printed = "never reach 1",
-       .measured = fmt::format("1 - eigenvalue after 100, 1000, 10000 steps: {:.3g}: it falls as step^{:.2f}",
-                               fmt::join(from_one, ", "), exponent_of(steps, from_one)),
+       .measured = {"1 - eigenvalue after 100, 1000, 10000 steps: {:.3g}: it falls as step^{:.2f}",
+                    fmt::join(from_one, ", "), exponent_of(steps, from_one)},
        .why = "no process noise reaches the landmark: its gain goes to 0 and its eigenvalue to 1, as one "
               "over the number of steps. Observability keeps it inside at every step; only noise on the "
               "landmark, as in Example 3.10, keeps it away from 1"},
@@ -150,11 +142,11 @@ Claim forgets_the_start(int seeds) {
   const MatrixXd left = (simulate(as_it_is, 1).error() - simulate(shifted, 1).error()).cwiseAbs();
   Cases means;
   for (const int n : {1, 2}) {
-    const auto runs = monobot::simulate_all({.landmarks = n, .anchored = true}, seeds);
+    const auto runs = simulate_all({.landmarks = n, .anchored = true}, seeds);
     for (const int state : {0, 1}) {
-      const Interval mean = mean_of(monobot::errors(runs, state, 100));
-      means.add({fmt::format("{} with {}: {}", state == 0 ? "robot" : "landmark", n, text(mean, "m")),
-                 agrees(mean, 0, 0.03)});
+      const Interval mean = mean_of(errors(runs, state, 100));
+      means.add(
+          {{"{} with {}: {}", state == 0 ? "robot" : "landmark", n, text(mean, "m")}, agrees(mean, 0, 0.03)});
     }
   }
   return assessed(
@@ -162,20 +154,20 @@ Claim forgets_the_start(int seeds) {
       "The errors converge to zero mean: all first estimates wrong by 1 m are forgotten, and the mean error "
       "over runs is 0 after 100 steps, to 0.03 m",
       {.printed = "0",
-       .measured = fmt::format(
-           "of 1 m there is left after 10, 100, 1000 steps: robot {:.2g}, {:.2g}, {:.2g} m, landmark {:.2g}, "
-           "{:.2g}, {:.2g} m, as one over the number of steps. Means: {}",
-           left(0, 10), left(0, 100), left(0, 1000), left(1, 10), left(1, 100), left(1, 1000), means.text()),
+       .measured = {"of 1 m there is left after 10, 100, 1000 steps: robot {:.2g}, {:.2g}, {:.2g} m, "
+                    "landmark {:.2g}, {:.2g}, {:.2g} m, as one over the number of steps. Means: {}",
+                    left(0, 10), left(0, 100), left(0, 1000), left(1, 10), left(1, 100), left(1, 1000),
+                    means.text()},
        .seeds = seeds},
       left.col(1000).maxCoeff() < 0.02 && means.hold());
 }
 
 Claim smaller_variances() {
   const Cases cases = by_number({1, 2}, [](int n) -> CaseResult {
-    const auto anchored = monobot::course({.landmarks = n, .anchored = true}).posterior,
-               free = monobot::course({.landmarks = n}).posterior;
-    return {fmt::format("robot {:.4f} against {:.4f} m^2, landmark {:.5f} against {:.4f} m^2",
-                        anchored[100](0, 0), free[100](0, 0), anchored[100](1, 1), free[100](1, 1)),
+    const auto anchored = course({.landmarks = n, .anchored = true}).posterior,
+               free = course({.landmarks = n}).posterior;
+    return {{"robot {:.4f} against {:.4f} m^2, landmark {:.5f} against {:.4f} m^2", anchored[100](0, 0),
+             free[100](0, 0), anchored[100](1, 1), free[100](1, 1)},
             monobot::smaller_variances(anchored, free)};
   });
   return assessed("3.3-variance", "above Example 3.4, Figure 3.8",
@@ -205,9 +197,8 @@ LedgerEntry run(const ExperimentSettings& settings) {
       example_3_3, settings,
       {full_rank(), closed_form_gains(), inside_the_circle(), inside_at_every_step(), inside_in_the_limit(),
        forgets_the_start(settings.seeds), smaller_variances(),
-       monobot::consistent("3.3-consistent", "Figure 3.8 (b), (c)", {.anchored = true}, settings.seeds)},
-      {eigenvalue_surfaces(),
-       monobot::four_rows("fig-3.8", "With an anchor at the origin", {.anchored = true})});
+       consistent("3.3-consistent", "Figure 3.8 (b), (c)", {.anchored = true}, settings.seeds)},
+      {eigenvalue_surfaces(), four_rows("fig-3.8", "With an anchor at the origin", {.anchored = true})});
 }
 
 }  // namespace

@@ -6,23 +6,15 @@
 // differences of the printed models; ranks of (3.24), with F and H frozen, and of [H_0; H_1 F_0; H_2 F_1 F_0;
 // ...] along the motion, over 8 measurements. Holds: Jacobians to 1e-6; ranks by singular values above 1e-9
 // of the largest, with at least a factor of 1000 between what counts and what does not, the same at all 100.
-#include <Eigen/Geometry>
-#include <numbers>
 #include <optional>
 
 #include "experiments/common.hpp"
 #include "incognita/analysis/observability/linear_system.hpp"
-#include "incognita/math/random.hpp"
 #include "incognita/models/motion/planar_vehicle.hpp"
 #include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita {
 namespace {
-
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-using std::numbers::pi;
 
 constexpr int places = 100, measurements = 8;
 constexpr double dt = 0.5;  // s
@@ -58,11 +50,11 @@ const DifferentialDrive vehicle{0.3, 0};
 
 /// Central differences of a function of one vector.
 template <class Function>
-MatrixXd differences(const Function& f, const Eigen::VectorXd& x) {
+MatrixXd differences(const Function& f, const VectorXd& x) {
   constexpr double h = 1e-6;
   MatrixXd J(f(x).size(), x.size());
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const Eigen::VectorXd d = h * Eigen::VectorXd::Unit(x.size(), i);
+  for (Index i = 0; i < x.size(); ++i) {
+    const VectorXd d = h * VectorXd::Unit(x.size(), i);
     J.col(i) = (f(x + d) - f(x - d)) / (2 * h);
   }
   return J;
@@ -79,14 +71,14 @@ std::vector<Claim> motion_jacobians() {
   Worst by_state, by_input;
   for (const SourceLocation& p : random_positions()) {
     const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]), v = p.input[0], lw = 0.3 * p.input[1];
-    Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+    Matrix3d F = Matrix3d::Identity();
     F.col(2).head<2>() << -(v * s - lw * c) * dt, (v * c - lw * s) * dt;
     Eigen::Matrix<double, 3, 2> G;
     G << c * dt, -0.3 * s * dt, s * dt, 0.3 * c * dt, 0, 1;
-    const auto f = [](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+    const auto f = [](const VectorXd& x) -> VectorXd {
       return vehicle.f<double>(Vector3d(x.head<3>()), Vector2d(x.tail<2>()), dt);
     };
-    Eigen::VectorXd at(5);
+    VectorXd at(5);
     at << p.pose, p.input;
     const MatrixXd numerical = differences(f, at);
     const auto ours = vehicle.step(p.pose, p.input, dt);
@@ -128,9 +120,9 @@ Claim bearing() {
       "3.4-bearing", "(3.19)",
       "The bearing of a landmark, from the heading: following it leads to the landmark, to 1e-6 m",
       {.printed = "atan(dy/dx) - theta + pi/2",
-       .measured = fmt::format("largest miss at {} poses: printed {:.2g} m; without the pi/2 still {:.2g} m, "
-                               "wrong at {} poses; ours {}",
-                               places, worst.printed, without_quarter, behind, below(worst.ours)),
+       .measured = {"largest miss at {} poses: printed {:.2g} m; without the pi/2 still {:.2g} m, wrong at "
+                    "{} poses; ours {}",
+                    places, worst.printed, without_quarter, behind, below(worst.ours)},
        .why = "atan2(dy, dx) - theta: atan does not distinguish opposite directions, and the pi/2 is a "
               "convention of one laser scanner",
        .runs = places},
@@ -148,8 +140,8 @@ Claim anchor_bearing() {
   return assessed("3.4-anchor-bearing", "(3.21)",
                   "The bearing of an anchor at the origin is (3.19) with the landmark there, to 1e-6 rad",
                   {.printed = "atan(y/x) - theta + pi/2",
-                   .measured = fmt::format("largest difference at {} poses: printed {:.3g} rad, ours {}",
-                                           places, worst.printed, below(worst.ours)),
+                   .measured = {"largest difference at {} poses: printed {:.3g} rad, ours {}", places,
+                                worst.printed, below(worst.ours)},
                    .why = "atan2(-y, -x) - theta",
                    .runs = places},
                   worst, as_good_as_zero);
@@ -176,9 +168,9 @@ Claim measurement_jacobians() {
         -to.x() / d, -to.y() / d, 0, to.x() / d, to.y() / d,      //
         to.y() / d2, -to.x() / d2, -1, -to.y() / d2, to.x() / d2;
     ours << measurement_rows(p.pose, Vector2d::Zero(), true), measurement_rows(p.pose, p.landmark, false);
-    Eigen::VectorXd state(5);
+    VectorXd state(5);
     state << p.pose, p.landmark;
-    const auto h = [](const Eigen::VectorXd& s) -> Eigen::VectorXd {
+    const auto h = [](const VectorXd& s) -> VectorXd {
       Eigen::Vector4d z;
       z << RangeBearing::h<double>(Vector3d(s.head<3>()), Vector2d::Zero()),
           RangeBearing::h<double>(Vector3d(s.head<3>()), Vector2d(s.tail<2>()));
@@ -218,9 +210,9 @@ MatrixXd observability(const SourceLocation& p, const View& view, const Differen
                        bool frozen) {
   Vector3d pose = p.pose;
   MatrixXd since_start = MatrixXd::Identity(5, 5);
-  const Eigen::Index rows = rows_seen(p, pose, view).rows(), count = frozen ? 5 : measurements;
+  const Index rows = rows_seen(p, pose, view).rows(), count = frozen ? 5 : measurements;
   MatrixXd O(count * rows, 5);
-  for (Eigen::Index k = 0; k < count; ++k) {
+  for (Index k = 0; k < count; ++k) {
     O.middleRows(k * rows, rows) = rows_seen(p, pose, view) * since_start;
     since_start = transition(drive, pose, p.input) * since_start;
     if (!frozen) pose = drive.step(pose, p.input, dt).x;
@@ -246,7 +238,7 @@ Ranks ranks(const View& view, const DifferentialDrive& drive, bool frozen) {
   bool clear = true;
   for (const SourceLocation& p : random_positions()) {
     const Rank r = rank_of(observability(p, view, drive, frozen), 1e-9);
-    const Eigen::VectorXd relative = r.singular_values / r.singular_values[0];
+    const VectorXd relative = r.singular_values / r.singular_values[0];
     all.least_kept = std::min(all.least_kept, relative[r.rank - 1]);
     if (r.rank < relative.size()) all.most_left_out = std::max(all.most_left_out, relative[r.rank]);
     clear = clear && r.gap >= 1000 && all.rank.value_or(r.rank) == r.rank;
@@ -285,7 +277,7 @@ Claim printed_product() {
                   "Heading's column of (H F - H)/dt with l = 0, to 1e-6",
                   {.printed = "rows -(dx v sin + dy v cos)/d, -(dx v cos - dy v sin)/d^2, (x v sin + y v "
                               "cos)/r^2, (x v cos + y v sin)/r^2",
-                   .measured = fmt::format("largest difference at {} poses: {}", places, worst.text()),
+                   .measured = {"largest difference at {} poses: {}", places, worst.text()},
                    .why = "(dx v sin - dy v cos)/d, -(dx v cos + dy v sin)/d^2, -(x v sin - y v cos)/r, and "
                           "the last as printed",
                    .runs = places},
@@ -297,33 +289,31 @@ Claim frozen_product_rank() {
   return assessed("3.4-frozen-rank", "(3.24), (3.25)",
                   "The product (3.24) has full rank with one anchor, also with l other than 0",
                   {.printed = "5",
-                   .measured = fmt::format("l = 0.3 m: {}; l = 0: {}", offset.text(), at_axle.text()),
+                   .measured = {"l = 0.3 m: {}; l = 0: {}", offset.text(), at_axle.text()},
                    .runs = places},
                   offset.is(5) && at_axle.is(5));
 }
 
 Claim one_anchor_observes_all() {
   const Ranks one = true_rank({.anchors = 1});
-  return assessed(
-      "3.4-one-anchor", "below (3.25)",
-      "One anchor and any other landmark guarantee that the planar vehicle is fully observable",
-      {.printed = "rank 5",
-       .measured = fmt::format("along the motion, over {} measurements: {}", measurements, one.text()),
-       .why = "turning everything about the anchor changes no measurement. The full rank of (3.24) is an "
-              "artifact: F moves the vehicle while H is frozen",
-       .runs = places},
-      one.is(5));
+  return assessed("3.4-one-anchor", "below (3.25)",
+                  "One anchor and any other landmark guarantee that the planar vehicle is fully observable",
+                  {.printed = "rank 5",
+                   .measured = {"along the motion, over {} measurements: {}", measurements, one.text()},
+                   .why = "turning everything about the anchor changes no measurement. The full rank of "
+                          "(3.24) is an artifact: F moves the vehicle while H is frozen",
+                   .runs = places},
+                  one.is(5));
 }
 
 Claim what_it_takes() {
   const Ranks two = true_rank({.anchors = 2}), oriented = true_rank({.anchors = 1, .oriented = true});
-  return assessed("3.4-two-anchors", "below (3.25)",
-                  "One anchor with orientation, or two without, are enough",
-                  {.printed = "rank 5",
-                   .measured = fmt::format("along the motion: two anchors {}; one with orientation {}",
-                                           two.text(), oriented.text()),
-                   .runs = places},
-                  two.is(5) && oriented.is(5));
+  return assessed(
+      "3.4-two-anchors", "below (3.25)", "One anchor with orientation, or two without, are enough",
+      {.printed = "rank 5",
+       .measured = {"along the motion: two anchors {}; one with orientation {}", two.text(), oriented.text()},
+       .runs = places},
+      two.is(5) && oriented.is(5));
 }
 
 Claim no_anchor() {
@@ -333,7 +323,7 @@ Claim no_anchor() {
       "Without anchors the linearized system of the planar vehicle is partially observable, and (3.24) has "
       "as many unobservable directions as the motion",
       {.printed = "partially observable",
-       .measured = fmt::format("the frozen product {}; along the motion {}", product.text(), truth.text()),
+       .measured = {"the frozen product {}; along the motion {}", product.text(), truth.text()},
        .why = "both are partially observable, but three directions, position and heading of the whole, "
               "change no measurement, and the null space of the frozen product has only two of them",
        .runs = places},
@@ -373,9 +363,8 @@ Plot geometry() {
 LedgerEntry run(const ExperimentSettings& settings) {
   return entry_of(
       example_3_4, settings,
-      concatenated({motion_jacobians(),
-                    {bearing(), anchor_bearing(), measurement_jacobians(), printed_product(),
-                     frozen_product_rank(), one_anchor_observes_all(), what_it_takes(), no_anchor()}}),
+      {motion_jacobians(), bearing(), anchor_bearing(), measurement_jacobians(), printed_product(),
+       frozen_product_rank(), one_anchor_observes_all(), what_it_takes(), no_anchor()},
       {geometry()});
 }
 

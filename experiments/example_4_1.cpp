@@ -37,12 +37,12 @@ std::vector<Claim> matrices() {
   });
   return {studied("4.1-F-H", "(4.14), (4.15)",
                   "F and H of the error form are the derivatives of (4.11) and (4.12), to 1e-9",
-                  {.measured = fmt::format("largest difference in {} motions {}", motions, below(of_form))},
+                  {.measured = {"largest difference in {} motions {}", motions, below(of_form)}},
                   of_form < rounding),
           studied("4.1-Q1", "(4.16), footnote 1",
                   "Q_1 is H and one row H F, which has but a heading; higher powers are zero; to 1e-9",
                   {.printed = "(-r_y v sin - r_x v cos)/d^2",
-                   .measured = fmt::format("largest difference in {} motions {}", motions, below(of_rows))},
+                   .measured = {"largest difference in {} motions {}", motions, below(of_rows)}},
                   of_rows < rounding)};
 }
 
@@ -54,10 +54,10 @@ Claim f_null_space() {
   return studied("4.1-F-null-space", "(4.19), (4.9)",
                  "N(F_j) is all but the heading and contains N(Q_j), so that TOM and SOM have one null space",
                  {.printed = "dimension 4",
-                  .measured = fmt::format("dimension {}; (4.9) holds in {} segments; null spaces of SOM and "
-                                          "TOM after 1, 2, 3 segments are {}",
-                                          dimension(spaces), world().stays() ? "all" : "not all",
-                                          one ? "the same" : "not the same")},
+                  .measured = {"dimension {}; (4.9) holds in {} segments; null spaces of SOM and TOM after "
+                               "1, 2, 3 segments are {}",
+                               dimension(spaces), world().stays() ? "all" : "not all",
+                               one ? "the same" : "not the same"}},
                  basis && world().stays() && one);
 }
 
@@ -75,17 +75,17 @@ std::vector<Claim> one_segment() {
       studied("4.1-instant-null-space", "(4.17)",
               "Null space of one segment, with nothing of the heading in it",
               {.printed = "dimension 3",
-               .measured = fmt::format("dimension {} of 5 in {} motions; the printed vectors span it: {}",
-                                       s.left(1), motions, yes_no(basis))},
+               .measured = {"dimension {} of 5 in {} motions; the printed vectors span it: {}", s.left(1),
+                            motions, yes_no(basis)}},
               basis),
       studied(
           "4.1-orientation", "below (4.17), Section 4.4",
           "The vehicle's orientation is the only completely observable state, as long as it moves",
           {.printed = "orientation",
-           .measured = fmt::format(
-               "states outside the null space in {} motions: of Q_1 {}; of the motion itself {}. All turned "
-               "about a point is in its null space: {}",
-               motions, listed(in_segment), listed(along), yes_no(s.along_contains(named({"rotation"})))),
+           .measured = {"states outside the null space in {} motions: of Q_1 {}; of the motion itself {}. "
+                        "All turned about a point is in its null space: {}",
+                        motions, listed(in_segment), listed(along),
+                        yes_no(s.along_contains(named({"rotation"})))},
            .why = "so it is by Q_1, in which F moves the vehicle while H is frozen. Turning vehicle and map "
                   "about a point changes no measurement, so that no motion makes the heading observable"},
           in_segment == heading && along == heading)};
@@ -103,16 +103,15 @@ Claim at_rest() {
   const bool printed = s.stripped_spanned_by(1, vectors(-1)),
              corrected = s.stripped_spanned_by(1, vectors(1));
   const auto seen = s.observable(1);
-  return studied(
-      "4.1-standing", "(4.18)",
-      "At rest the null space has dimension 4, and the heading is not observable either",
-      {.printed = "4th vector [d^2 0 -r_y 0 0]",
-       .measured = fmt::format("{} (turning on the spot); states outside the null space: {}. The 4th vector "
+  return studied("4.1-standing", "(4.18)",
+                 "At rest the null space has dimension 4, and the heading is not observable either",
+                 {.printed = "4th vector [d^2 0 -r_y 0 0]",
+                  .measured = {"{} (turning on the spot); states outside the null space: {}. The 4th vector "
                                "is {} with -r_y, {} with r_y",
                                s.text(), listed(seen), printed ? "in it" : "not in it",
-                               corrected ? "in it" : "not in it"),
-       .why = "[d^2 0 r_y 0 0]"},
-      printed && seen.empty(), corrected && seen.empty() && s.true_dimension() == 4);
+                               corrected ? "in it" : "not in it"},
+                  .why = "[d^2 0 r_y 0 0]"},
+                 printed && seen.empty(), corrected && seen.empty() && s.true_dimension() == 4);
 }
 
 MatrixXd row_HF(const Course& course) { return course.forms[0].H * course.forms[0].F; }
@@ -138,19 +137,18 @@ Claim anywhere() {
   const double row = std::max({wrong_row(around), wrong_row(ahead), wrong_row(abeam)});
   const bool falls_short = of_4_17 == 2 && contain(ahead.stripped(1), ahead.courses(), vectors_4_17),
              row_is_so = row < rounding && abeam_row < rounding;
-  return studied(
-      3, "4.1-anywhere", "below (4.18)",
-      "One segment leaves three modes wherever the feature is, except on the optical axis",
-      {.printed = "except r_y = 0",
-       .measured = fmt::format("N(Q_1) in {} motions each, vehicle heading along x: feature anywhere {}, "
+  return studied(3, "4.1-anywhere", "below (4.18)",
+                 "One segment leaves three modes wherever the feature is, except on the optical axis",
+                 {.printed = "except r_y = 0",
+                  .measured = {"N(Q_1) in {} motions each, vehicle heading along x: feature anywhere {}, "
                                "straight ahead {}, where (4.17) has {} independent vectors, abeam {}, where "
                                "the row H F is {}. That row differs from [0 0 -v r_x/d^2 0 0] by {}",
                                motions, joined({d[0]}), joined({d[1]}), joined({of_4_17}), joined({d[2]}),
-                               below(abeam_row), below(row)),
-       .why = "except abeam, r_x = 0: there the row H F, -v r_x/d^2, is zero. Straight ahead it is (4.17) "
-              "that falls short, as its vectors become two"},
-      d[0] == 3 && d[1] != 3 && d[1] != no_dimension && d[2] == 3,
-      d[0] == 3 && d[1] == 3 && d[2] == 4 && falls_short && row_is_so);
+                               below(abeam_row), below(row)},
+                  .why = "except abeam, r_x = 0: there the row H F, -v r_x/d^2, is zero. Straight ahead it "
+                         "is (4.17) that falls short, as its vectors become two"},
+                 d[0] == 3 && d[1] != 3 && d[1] != no_dimension && d[2] == 3,
+                 d[0] == 3 && d[1] == 3 && d[2] == 4 && falls_short && row_is_so);
 }
 
 const Vectors translations = named({"translation"});
@@ -172,37 +170,32 @@ std::vector<Claim> more_segments() {
     return s.along_spanned_by(named({"translation", "rotation"})) && s.left(3) == 2 &&
            dimension(s.total(3)) == 2;
   });
-  return {
-      studied("4.1-two-segments", "(4.20)",
-              "Null space of the SOM of two segments: the two translations of vehicle and feature",
-              {.printed = "dimension 2",
-               .measured = fmt::format("{}, in {} motions; the printed vectors span it: {}", one.text(),
-                                       motions, yes_no(basis))},
-              basis),
-      studied(3, "4.1-more", "below (4.20)",
-              "More features or segments do not change the null space of the SOM: two translations",
-              {.printed = "dimension 2",
-               .measured =
-                   "dimensions left by SOM and TOM after 1/2/3/4/5 segments, by features: " + of_five.text()},
-              of_five.hold()),
-      studied(3, "4.1-modes", "below (4.20)",
-              "The system's unobservable modes are the two translations of vehicle and map, for any number "
-              "of features",
-              {.printed = "2",
-               .measured = "dimensions left by the motion itself, by features: " + modes.text(),
-               .why = "three: these and the turn of all about a point. SOM and TOM leave two, because H is "
-                      "frozen within a segment"},
-              modes.hold(), corrected)};
+  return {studied("4.1-two-segments", "(4.20)",
+                  "Null space of the SOM of two segments: the two translations of vehicle and feature",
+                  {.printed = "dimension 2",
+                   .measured = {"{}, in {} motions; the printed vectors span it: {}", one.text(), motions,
+                                yes_no(basis)}},
+                  basis),
+          studied(3, "4.1-more", "below (4.20)",
+                  "More features or segments do not change the null space of the SOM: two translations",
+                  {.printed = "dimension 2",
+                   .measured = "dimensions left by SOM and TOM after 1/2/3/4/5 segments, by features: " +
+                               of_five.text()},
+                  of_five.hold()),
+          studied(3, "4.1-modes", "below (4.20)",
+                  "The system's unobservable modes are the two translations of vehicle and map, for any "
+                  "number of features",
+                  {.printed = "2",
+                   .measured = "dimensions left by the motion itself, by features: " + modes.text(),
+                   .why = "three: these and the turn of all about a point. SOM and TOM leave two, because H "
+                          "is frozen within a segment"},
+                  modes.hold(), corrected)};
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
   return entry_of(example_4_1, settings,
-                  concatenated({matrices(),
-                                one_segment(),
-                                {at_rest(), anywhere(), f_null_space()},
-                                more_segments(),
-                                anchor_claims(),
-                                relative_claims()}));
+                  {matrices(), one_segment(), at_rest(), anywhere(), f_null_space(), more_segments(),
+                   anchor_claims(), relative_claims()});
 }
 
 }  // namespace

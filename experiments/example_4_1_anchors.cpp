@@ -20,7 +20,7 @@ Claim anchored_h() {
     }
   return studied("4.1-anchored-H", "(4.21)", "Rows of H for anchors are the derivatives of (4.12), to 1e-9",
                  {.printed = "divided by da^2, da = (a_y - y)^2 + (a_x - x)^2",
-                  .measured = fmt::format("largest difference in {} motions: {}", motions, worst.text()),
+                  .measured = {"largest difference in {} motions: {}", motions, worst.text()},
                   .why = "da is the square already"},
                  worst, rounding);
 }
@@ -28,16 +28,16 @@ Claim anchored_h() {
 std::vector<Claim> with_two_anchors() {
   const Study& s = world(1, 2);
   const bool basis = s.stripped_spanned_by(1, named({"depth"}));
-  return {studied("4.1-anchored-null-space", "(4.22)",
-                  "Null space of one segment with two anchors: the distance of the feature",
-                  {.printed = "dimension 1",
-                   .measured = fmt::format("dimension {} of 5 in {} motions; the printed vector spans it: {}",
-                                           s.left(1), motions, yes_no(basis))},
-                  basis),
-          studied("4.1-anchored-two-segments", "below (4.22)",
-                  "With two anchors vehicle and feature are completely observable in two segments",
-                  {.printed = "0", .measured = fmt::format("{}, in {} motions", s.text(), motions)},
-                  observable_in_two(s))};
+  return {
+      studied("4.1-anchored-null-space", "(4.22)",
+              "Null space of one segment with two anchors: the distance of the feature",
+              {.printed = "dimension 1",
+               .measured = {"dimension {} of 5 in {} motions; the printed vector spans it: {}", s.left(1),
+                            motions, yes_no(basis)}},
+              basis),
+      studied("4.1-anchored-two-segments", "below (4.22)",
+              "With two anchors vehicle and feature are completely observable in two segments",
+              {.printed = "0", .measured = {"{}, in {} motions", s.text(), motions}}, observable_in_two(s))};
 }
 
 Claim anchored_total() {
@@ -51,9 +51,9 @@ Claim anchored_total() {
       3, "4.1-anchored-total", "below (4.22)",
       "N(Q_j) is within N(F_j), and the TOM has full rank in two segments, for one or more anchors",
       {.printed = "0",
-       .measured = fmt::format(
-           "(4.9) holds in {} segments; dimensions left by the TOM after 1/2/3 segments, by anchors: {}",
-           stays ? "all" : "not all", full.text())},
+       .measured =
+           {"(4.9) holds in {} segments; dimensions left by the TOM after 1/2/3 segments, by anchors: {}",
+            stays ? "all" : "not all", full.text()}},
       stays && full.hold());
 }
 
@@ -72,8 +72,8 @@ std::vector<Claim> linear_analysis() {
       studied(5, "4.1-anchors-needed", "above (4.21)",
               "For the linear analysis two anchors and two time segments are needed for full observability",
               {.printed = "two and two",
-               .measured = fmt::format("{}. The motion itself leaves {} in one segment with two", all.text(),
-                                       joined({at_once.true_dimension()})),
+               .measured = {"{}. The motion itself leaves {} in one segment with two", all.text(),
+                            joined({at_once.true_dimension()})},
                .why = "two segments, but one anchor: by SOM and TOM, and by the next sentence of the text. "
                       "For the motion itself it is two anchors and one segment"},
               full_in_two(two) && one.rank_deficient(3), one_does && always_two && in_truth_two_and_one),
@@ -81,8 +81,8 @@ std::vector<Claim> linear_analysis() {
           2, "4.1-one-anchor-twice", "above (4.21)",
           "One anchor measured from two different steps is equivalent to two anchors",
           {.printed = "equivalent",
-           .measured = fmt::format("{}. What one leaves is the turn about it: {}", one_and_two.text(),
-                                   yes_no(one.along_spanned_by(about_anchor({"rotation"})))),
+           .measured = {"{}. What one leaves is the turn about it: {}", one_and_two.text(),
+                        yes_no(one.along_spanned_by(about_anchor({"rotation"})))},
            .why = "so it is by SOM and TOM. Turning vehicle and map about the anchor changes no measurement"},
           one.true_dimension() == two.true_dimension() && one.left(2) == two.left(2))};
 }
@@ -100,8 +100,8 @@ Claim range_and_bearing() {
       4, "4.1-range-bearing", "above (4.21), of [3, 85]",
       "With range and bearing one segment and two anchors are needed",
       {.printed = "one and two",
-       .measured = fmt::format("{}. The motion itself leaves {} in one segment with two", all.text(),
-                               joined({at_once.true_dimension()})),
+       .measured = {"{}. The motion itself leaves {} in one segment with two", all.text(),
+                    joined({at_once.true_dimension()})},
        .why = "so it is for the motion itself. For SOM and TOM one anchor in one segment is enough"},
       in_truth && by_matrices, in_truth && one_does);
 }
@@ -111,25 +111,22 @@ Claim nonlinear_anchors() {
   for (const int features : {0, 1})
     for (const int anchors : {1, 2}) {
       const int d = dimension(lie({.system = "planar", .features = features, .anchors = anchors}));
-      cases.add({fmt::format("{} and {}: {}", features, anchors, joined({d})), d == (anchors == 1 ? 1 : 0)});
+      cases.add({{"{} and {}: {}", features, anchors, joined({d})}, d == (anchors == 1 ? 1 : 0)});
     }
-  return studied(4, "4.1-nonlinear-anchors", "head of Chapter 4, above (4.21), of [11]",
-                 "By the nonlinear analysis absolute localization, with a map or without, takes two anchors",
-                 {.printed = "two",
-                  .measured = fmt::format(
-                      "dimensions left by the Lie derivatives at {} points, features and anchors: {}",
-                      motions, cases.text())},
-                 cases.hold());
+  return studied(
+      4, "4.1-nonlinear-anchors", "head of Chapter 4, above (4.21), of [11]",
+      "By the nonlinear analysis absolute localization, with a map or without, takes two anchors",
+      {.printed = "two",
+       .measured = {"dimensions left by the Lie derivatives at {} points, features and anchors: {}", motions,
+                    cases.text()}},
+      cases.hold());
 }
 
 }  // namespace
 
 std::vector<Claim> anchor_claims() {
-  return concatenated({{range_and_bearing(), nonlinear_anchors()},
-                       linear_analysis(),
-                       {anchored_h()},
-                       with_two_anchors(),
-                       {anchored_total()}});
+  return concatenated({range_and_bearing(), nonlinear_anchors(), linear_analysis(), anchored_h(),
+                       with_two_anchors(), anchored_total()});
 }
 
 }  // namespace incognita::observability_claims::planar

@@ -13,17 +13,15 @@ namespace incognita::observability_claims::planar {
 namespace {
 
 const Study& relative(int features = 1, const std::string& motion = "general", const Change& change = {}) {
-  return study({.system = "planar",
-                .representation = "relative",
-                .features = features,
-                .motion = motion,
-                .change = change});
+  Case which = relative_map("planar", features, motion);
+  which.change = change;
+  return study(which);
 }
 
 Vector2d r_to(const SystemPoint& point, int feature) { return point.x.segment<2>(1 + 2 * feature); }
 
 /// Heading first, as our states are; the printed ones have it last.
-VectorXd three(double rx, double ry, double theta) { return Eigen::Vector3d(theta, rx, ry); }
+VectorXd three(double rx, double ry, double theta) { return Vector3d(theta, rx, ry); }
 
 /// Driving straight on, with the feature straight ahead or abeam.
 const Study& straight_ahead() { return relative(1, "straight", feature_within("ahead", {5, 9}, {0, 0})); }
@@ -35,7 +33,7 @@ bool leaves_distance_and_turn(const Study& s) { return s.along_spanned_by(named(
 
 const Vectors r_x = always({three(1, 0, 0)});
 
-Studies maps_of_three() { return by_features({1, 2, 3}, {.system = "planar", .representation = "relative"}); }
+Studies maps_of_three() { return by_features({1, 2, 3}, relative_map("planar")); }
 
 Claim measurement_matrix() {
   Worst worst;
@@ -52,7 +50,7 @@ Claim measurement_matrix() {
   return studied("4.1-relative-H", "(4.23), (4.24)",
                  "H of features parametrized by r = x_f - p is the derivative of (4.12), to 1e-9",
                  {.printed = "[r_y -r_x]/d^2, -1 in the third column",
-                  .measured = fmt::format("largest difference in {} motions: {}", motions, worst.text()),
+                  .measured = {"largest difference in {} motions: {}", motions, worst.text()},
                   .why = "[-r_y r_x]/d^2 for r = x_f - p (what is printed belongs to p - x_f), and -1 in the "
                          "last column, the heading's"},
                  worst, rounding);
@@ -69,27 +67,26 @@ std::vector<Claim> one_segment() {
   }
   const std::vector<std::string> headings(3, "theta");
   return {
+      studied(3, "4.1-relative-null-space", "(4.25)",
+              "Null space of one segment: the distance of each feature",
+              {.printed = "one vector for each",
+               .measured = {"dimension with 1/2/3 features in {} motions {}; the printed vectors span it: {}",
+                            motions, joined(found), yes_no(basis)}},
+              basis),
       studied(
-          3, "4.1-relative-null-space", "(4.25)", "Null space of one segment: the distance of each feature",
-          {.printed = "one vector for each",
-           .measured =
-               fmt::format("dimension with 1/2/3 features in {} motions {}; the printed vectors span it: {}",
-                           motions, joined(found), yes_no(basis))},
-          basis),
-      studied(maps.cases(), "4.1-relative-orientation", "below (4.25)",
-              "The orientation is the one state that is observable in one segment, however many features",
-              {.printed = "orientation",
-               .measured = fmt::format("states outside the null space with 1/2/3 features: of Q_1 {}; of "
-                                       "the motion itself {}, which leaves the turn of all: {}",
-                                       fmt::join(in_segment, "/"), fmt::join(along, "/"),
-                                       yes_no(maps.all(leaves_the_turn))),
-               .why = "so it is by Q_1. The text itself doubts it (footnote 2): turning the vehicle and r "
-                      "of all features changes no measurement"},
-              in_segment == headings && along == headings)};
+          maps.cases(), "4.1-relative-orientation", "below (4.25)",
+          "The orientation is the one state that is observable in one segment, however many features",
+          {.printed = "orientation",
+           .measured = {"states outside the null space with 1/2/3 features: of Q_1 {}; of the motion itself "
+                        "{}, which leaves the turn of all: {}",
+                        fmt::join(in_segment, "/"), fmt::join(along, "/"), yes_no(maps.all(leaves_the_turn))},
+           .why = "so it is by Q_1. The text itself doubts it (footnote 2): turning the vehicle and r of all "
+                  "features changes no measurement"},
+          in_segment == headings && along == headings)};
 }
 
 Claim footnote() {
-  const Spaces spaces = lie({.system = "planar", .representation = "relative"});
+  const Spaces spaces = lie(relative_map("planar"));
   const Study& s = relative();
   const bool turn_alone = are_basis(spaces, s.courses(), named({"rotation"})) && leaves_the_turn(s);
   return studied(
@@ -97,10 +94,9 @@ Claim footnote() {
       "By Lie derivatives the orientation with respect to a global frame is not observable for the relative "
       "map",
       {.printed = "not observable",
-       .measured = fmt::format(
-           "Lie derivatives leave {} at {} points, the motion itself {}: heading and map turned, {}",
-           joined({dimension(spaces)}), motions, joined({s.true_dimension()}),
-           turn_alone ? "both" : "not both")},
+       .measured = {"Lie derivatives leave {} at {} points, the motion itself {}: heading and map turned, {}",
+                    joined({dimension(spaces)}), motions, joined({s.true_dimension()}),
+                    turn_alone ? "both" : "not both"}},
       turn_alone);
 }
 
@@ -114,13 +110,12 @@ std::vector<Claim> ahead_and_abeam() {
       studied("4.1-ahead", "below (4.25)",
               "With the feature straight ahead (r_y = 0) the unobservable mode of Q_1 is r_x",
               {.printed = "r_x",
-               .measured = fmt::format("dimension {} in {} motions; it is r_x: {}", s.left(1), motions,
-                                       yes_no(basis))},
+               .measured = {"dimension {} in {} motions; it is r_x: {}", s.left(1), motions, yes_no(basis)}},
               basis),
       studied(
           "4.1-abeam", "below (4.25)", "With the feature abeam (r_x = 0) the unobservable mode of Q_1 is r_y",
           {.printed = "r_y",
-           .measured = fmt::format("dimension {} in {} motions", beside.left(1), motions),
+           .measured = {"dimension {} in {} motions", beside.left(1), motions},
            .why = "r_y, and the heading together with r_x: the row H F is zero abeam, so that Q_1 is but H"},
           beside.stripped_spanned_by(1, always({three(0, 1, 0)})), beside.stripped_spanned_by(1, both))};
 }
@@ -135,8 +130,8 @@ std::vector<Claim> two_segments() {
           studied(maps.cases(), "4.1-relative-observable", "below (4.25), Section 4.4",
                   "Opposite to the world-centric map this system becomes fully observable in two segments",
                   {.printed = "fully",
-                   .measured = fmt::format("{}. What is left is heading and map turned: {}", maps.text(),
-                                           turns ? "always" : "not always"),
+                   .measured = {"{}. What is left is heading and map turned: {}", maps.text(),
+                                turns ? "always" : "not always"},
                    .why = "up to the orientation of the axes: the map in the vehicle's frame becomes "
                           "observable, the direction of north does not, with any number of features. SOM and "
                           "TOM have full rank because H is frozen"},
@@ -148,18 +143,18 @@ std::vector<Claim> straight_on() {
   const Study &s = straight_ahead(), &beside = abeam();
   const bool mode = for_all({1, 2, 3}, [&](int k) { return s.stripped_spanned_by(k, r_x); }),
              along = leaves_distance_and_turn(s);
-  return {studied("4.1-ahead-for-good", "below (4.25)",
-                  "Driving straight at a feature the system remains unobservable, with mode r_x",
-                  {.printed = "r_x",
-                   .measured = fmt::format(
-                       "{}, in {} motions. SOM leaves r_x: {}; the motion itself r_x and the turn of all: {}",
-                       s.text(), motions, yes_no(mode), yes_no(along))},
-                  mode && along),
-          studied("4.1-abeam-two-segments", "below (4.25)",
-                  "With the feature abeam at first SOM and TOM have full rank in two segments",
-                  {.printed = "0",
-                   .measured = fmt::format("{}, in {} motions straight on", beside.text(), motions)},
-                  beside.full_rank(2))};
+  return {
+      studied("4.1-ahead-for-good", "below (4.25)",
+              "Driving straight at a feature the system remains unobservable, with mode r_x",
+              {.printed = "r_x",
+               .measured =
+                   {"{}, in {} motions. SOM leaves r_x: {}; the motion itself r_x and the turn of all: {}",
+                    s.text(), motions, yes_no(mode), yes_no(along)}},
+              mode && along),
+      studied("4.1-abeam-two-segments", "below (4.25)",
+              "With the feature abeam at first SOM and TOM have full rank in two segments",
+              {.printed = "0", .measured = {"{}, in {} motions straight on", beside.text(), motions}},
+              beside.full_rank(2))};
 }
 
 Claim pure_rotation() {
@@ -181,8 +176,8 @@ Claim pure_rotation() {
                  "Without translation the null space has one vector more, SOM and TOM never have full rank, "
                  "and neither position nor orientation is recovered",
                  {.printed = "one more than features",
-                  .measured = fmt::format("{}; states outside the null spaces: {}", maps.text(),
-                                          listed({seen.begin(), seen.end()}))},
+                  .measured = {"{}; states outside the null spaces: {}", maps.text(),
+                               listed({seen.begin(), seen.end()})}},
                  one_more && seen.empty());
 }
 
@@ -191,10 +186,10 @@ Claim no_rotation() {
   const bool as_matrices = s.left(2) == 0 && ahead.left(3) > 0;
   return studied(
       2, "4.1-no-rotation", "end of the relative map, Example 4.1",
-      "Without rotation the system is completely observable in two segments, except with a "
-      "feature on the line of sight",
+      "Without rotation the system is completely observable in two segments, except with a feature on the "
+      "line of sight",
       {.printed = "completely",
-       .measured = fmt::format("{}: {}; straight ahead: {}", legend, s.numbers(), ahead.numbers()),
+       .measured = {"{}: {}; straight ahead: {}", legend, s.numbers(), ahead.numbers()},
        .why = "up to the axes, as with rotation; on the line of sight the distance is missing too"},
       as_matrices && fully_observable(s),
       as_matrices && leaves_the_turn(s) && leaves_distance_and_turn(ahead));
@@ -203,13 +198,8 @@ Claim no_rotation() {
 }  // namespace
 
 std::vector<Claim> relative_claims() {
-  return concatenated({{measurement_matrix()},
-                       one_segment(),
-                       {footnote()},
-                       ahead_and_abeam(),
-                       two_segments(),
-                       straight_on(),
-                       {pure_rotation(), no_rotation()}});
+  return concatenated({measurement_matrix(), one_segment(), footnote(), ahead_and_abeam(), two_segments(),
+                       straight_on(), pure_rotation(), no_rotation()});
 }
 
 }  // namespace incognita::observability_claims::planar

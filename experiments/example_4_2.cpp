@@ -5,10 +5,8 @@
 // rules of observability_claims.hpp; 1 to 3 features, up to 4 anchors, also two of them one above the other;
 // also unaccelerated, in each of the ways that `f = 0` may mean: falling, without gravity, and (f = -g then)
 // at constant velocity under gravity.
-#include <Eigen/Geometry>
-
-#include "experiments/common.hpp"
 #include "experiments/example_4_2.hpp"
+#include "experiments/common.hpp"
 
 namespace incognita::observability_claims::inertial {
 namespace {
@@ -34,17 +32,16 @@ std::vector<Claim> without_anchors() {
       studied("4.2-world-null-space", "(4.35)",
               "Null space of the SOM: the three translations of vehicle and feature",
               {.printed = "dimension 3",
-               .measured = fmt::format("{}, in {} motions; the printed vectors span that of two and three "
-                                       "segments: {}. The state has {} entries; printed are vectors of 14",
-                                       s.text(), motions, yes_no(basis), s.error_states().size())},
+               .measured = {"{}, in {} motions; the printed vectors span that of two and three segments: {}. "
+                            "The state has {} entries; printed are vectors of 14",
+                            s.text(), motions, yes_no(basis), s.error_states().size()}},
               basis),
       studied(
           "4.2-world-recovered", "below (4.35)",
           "Not fully observable: linear velocity and misalignments are recovered, and nothing else",
           {.printed = "velocity, misalignments",
-           .measured = fmt::format(
-               "states outside the null space in {} motions: of the SOM {}; of the motion itself {}", motions,
-               listed(in_som), listed(along)),
+           .measured = {"states outside the null space in {} motions: of the SOM {}; of the motion itself {}",
+                        motions, listed(in_som), listed(along)},
            .why =
                "of both only what gravity determines: vertical speed, roll and pitch. Turning all about a "
                "vertical changes no measurement, so that heading and horizontal velocity are not recovered"},
@@ -90,15 +87,15 @@ Claim anchored_null_space() {
   const bool without =
       contain(none.stripped(1), none.courses(), [](const Course& c) { return Basis{vectors_4_38(c)[1]}; });
   const auto by_features = each_of({1, 2, 3}, [](int n) { return with_anchors(3, n).left(1); });
-  return studied(5, "4.2-anchored-null-space", "(4.38)",
-                 "Null space of one segment with three or more anchors and one feature",
-                 {.printed = "[0 0 0 C r], [r x f 0 f 0]: dimension 2",
-                  .measured = fmt::format(
-                      "dimension with 3 and 4 anchors {} and {} in {} motions; with 3 anchors and 1/2/3 "
-                      "features {}. The second vector lies in the null space without anchors: {}",
-                      three.left(1), four.left(1), motions, joined(by_features), yes_no(without)),
-                  .why = "1: the distance of the feature, [0 0 0 r] with r in axes of the world"},
-                 both(vectors_4_38), both(named({"depth"})));
+  return studied(
+      5, "4.2-anchored-null-space", "(4.38)",
+      "Null space of one segment with three or more anchors and one feature",
+      {.printed = "[0 0 0 C r], [r x f 0 f 0]: dimension 2",
+       .measured = {"dimension with 3 and 4 anchors {} and {} in {} motions; with 3 anchors and 1/2/3 "
+                    "features {}. The second vector lies in the null space without anchors: {}",
+                    three.left(1), four.left(1), motions, joined(by_features), yes_no(without)},
+       .why = "1: the distance of the feature, [0 0 0 r] with r in axes of the world"},
+      both(vectors_4_38), both(named({"depth"})));
 }
 
 std::vector<Claim> three_or_more_anchors() {
@@ -108,22 +105,22 @@ std::vector<Claim> three_or_more_anchors() {
   for (const int anchors : {3, 4})
     for (const int features : {1, 2, 3}) {
       const Study& s = with_anchors(anchors, features);
-      cases.add({fmt::format("{} and {}: {}", anchors, features, s.segments_text()), s.left(2) == 0});
+      cases.add({{"{} and {}: {}", anchors, features, s.segments_text()}, s.left(2) == 0});
     }
-  return {studied("4.2-anchored-recovered", "below (4.38)",
-                  "With three or more anchors one segment recovers linear velocities only",
-                  {.printed = "velocities",
-                   .measured = fmt::format("states outside N(Q_1) with 3 anchors in {} motions: {}", motions,
-                                           listed(seen)),
-                   .why = "all states of the vehicle"},
-                  seen == velocities, seen == of_vehicle && fully_observable(three)),
-          studied(6, "4.2-anchored-two-segments", "below (4.38)",
-                  "With three or more anchors the SOM has full rank in two segments",
-                  {.printed = "0",
-                   .measured = fmt::format("dimensions left by SOM and TOM after 1/2/3 segments, anchors and "
-                                           "features: {}; by the motion itself, 3 and 1: {}",
-                                           cases.text(), three.true_dimension())},
-                  fully_observable(three) && cases.hold())};
+  return {
+      studied("4.2-anchored-recovered", "below (4.38)",
+              "With three or more anchors one segment recovers linear velocities only",
+              {.printed = "velocities",
+               .measured = {"states outside N(Q_1) with 3 anchors in {} motions: {}", motions, listed(seen)},
+               .why = "all states of the vehicle"},
+              seen == velocities, seen == of_vehicle && fully_observable(three)),
+      studied(6, "4.2-anchored-two-segments", "below (4.38)",
+              "With three or more anchors the SOM has full rank in two segments",
+              {.printed = "0",
+               .measured = {"dimensions left by SOM and TOM after 1/2/3 segments, anchors and features: {}; "
+                            "by the motion itself, 3 and 1: {}",
+                            cases.text(), three.true_dimension()}},
+              fully_observable(three) && cases.hold())};
 }
 
 /// In one segment and in two: how many dimensions are left, and the states that are recovered.
@@ -156,10 +153,9 @@ Claim anchored_unaccelerated() {
       "velocities, and one in two, which recover the feature's position and the velocity, but not the "
       "vehicle's position and orientation",
       {.printed = "4, then 1",
-       .measured = fmt::format(
-           "dimensions left by the SOM after 1/2 segments with 3 anchors (and states outside its null "
-           "space): falling {}; without gravity {}; accelerated {}. By the motion itself {}",
-           falling.text(), floating.text(), accelerated.text(), joined(in_truth)),
+       .measured = {"dimensions left by the SOM after 1/2 segments with 3 anchors (and states outside its "
+                    "null space): falling {}; without gravity {}; accelerated {}. By the motion itself {}",
+                    falling.text(), floating.text(), accelerated.text(), joined(in_truth)},
        .why = "1, then 0: three anchors determine all states of the vehicle at once, accelerated or not"},
       falling.as_printed() && floating.as_printed() && in_truth == std::vector{0, 0, 0},
       ours && in_truth == std::vector{0, 0, 0});
@@ -167,12 +163,8 @@ Claim anchored_unaccelerated() {
 
 LedgerEntry run(const ExperimentSettings& settings) {
   return entry_of(example_4_2, settings,
-                  concatenated({matrix_claims(),
-                                without_anchors(),
-                                {few_anchors(), anchored_null_space()},
-                                three_or_more_anchors(),
-                                {anchored_unaccelerated()},
-                                relative_claims()}));
+                  {matrix_claims(), without_anchors(), few_anchors(), anchored_null_space(),
+                   three_or_more_anchors(), anchored_unaccelerated(), relative_claims()});
 }
 
 }  // namespace

@@ -19,9 +19,7 @@ inline Case world(int features = 1, int anchors = 0) {
   return {.system = "inertial", .features = features, .anchors = anchors};
 }
 /// Velocity, angles, and each feature from the vehicle, in axes of the world.
-inline Case relative(int features = 1) {
-  return {.system = "inertial", .representation = "relative", .features = features};
-}
+inline Case relative(int features = 1) { return relative_map("inertial", features); }
 Case unaccelerated(Case which, Unaccelerated how);
 
 /// `falling 5/2/0 and 1; ...` by the ways to be unaccelerated

@@ -68,7 +68,7 @@ MatrixXd beside(const std::vector<MatrixXd>& blocks) {
   return all;
 }
 
-Misaligned misaligned(const LinearizedSystem& exact, const Vector3d& angles, Eigen::Index first,
+Misaligned misaligned(const LinearizedSystem& exact, const Vector3d& angles, Index first,
                       const Vector3d& rate) {
   constexpr double h = 1e-3;
   const Vector3d rates = E_of(angles) * rate;
@@ -76,7 +76,7 @@ Misaligned misaligned(const LinearizedSystem& exact, const Vector3d& angles, Eig
     const Vector3d then = angles + steps * h * rates;
     return E_of(then) * C_of(then);
   };
-  const Eigen::Index n = exact.F.rows();
+  const Index n = exact.F.rows();
   MatrixXd S = MatrixXd::Identity(n, n), S_rate = MatrixXd::Zero(n, n);  // ours by those
   S.block<3, 3>(first, first) = T(0);
   // by five points: their error, and rounding, are below 1e-12
@@ -87,7 +87,7 @@ Misaligned misaligned(const LinearizedSystem& exact, const Vector3d& angles, Eig
 Begin::Begin(const Course& course) {
   const SystemPoint& p = course.points[0];
   const bool relative = p.x.size() == 9;
-  const Eigen::Index first = relative ? 3 : 6;
+  const Index first = relative ? 3 : 6;
   const Vector3d angles = p.x.segment<3>(first);
   C = C_of(angles);
   r = relative ? Vector3d(p.x.tail<3>()) : Vector3d(p.x.tail<3>() - p.x.head<3>());
@@ -134,16 +134,16 @@ Claim force_matrix() {
   const auto other = [](LinearizedSystem& form, const SystemPoint&) { form.F.block<3, 3>(3, 6) *= -1; };
   const auto with_other = each_of({1, 2, 3}, [&](int k) { return dimension(stripped_with(s, k, other)); });
   const int left = left_by_transitions(1), left_as_printed = left_by_transitions(-1);
-  return studied(2, "4.2-F", "(4.30), (4.31)", "F has [x f], of the sign that [x r] has in H, to 1e-9",
-                 {.printed = "the same sign",
-                  .measured = fmt::format(
-                      "largest difference from exact derivatives in {} motions: printed {:.2g}, ours {}. SOM "
-                      "{} distinguish them: it leaves {} and {}. With exact transitions, not turning, the "
-                      "printed sign leaves {} and the other {}; the motion itself leaves {}",
-                      motions, printed, below(corrected), with_other == s.dimensions() ? "does not" : "does",
-                      joined(with_other), joined(s.dimensions()), left_as_printed, left, s.true_dimension()),
-                  .why = "the other sign: -[f x] beside [r x], f and r in axes of the world"},
-                 printed < rounding, corrected < rounding && left == s.true_dimension());
+  return studied(
+      2, "4.2-F", "(4.30), (4.31)", "F has [x f], of the sign that [x r] has in H, to 1e-9",
+      {.printed = "the same sign",
+       .measured = {"largest difference from exact derivatives in {} motions: printed {:.2g}, ours {}. SOM "
+                    "{} distinguish them: it leaves {} and {}. With exact transitions, not turning, the "
+                    "printed sign leaves {} and the other {}; the motion itself leaves {}",
+                    motions, printed, below(corrected), with_other == s.dimensions() ? "does not" : "does",
+                    joined(with_other), joined(s.dimensions()), left_as_printed, left, s.true_dimension()},
+       .why = "the other sign: -[f x] beside [r x], f and r in axes of the world"},
+      printed < rounding, corrected < rounding && left == s.true_dimension());
 }
 
 Claim partials() {
@@ -156,7 +156,7 @@ Claim partials() {
   }
   return studied("4.2-partials", "(4.34)", "Derivative of azimuth and elevation by r^s, to 1e-9",
                  {.printed = "second row [-, +, +], and 0_2x3 in the first",
-                  .measured = fmt::format("largest difference in {} motions: {}", motions, worst.text()),
+                  .measured = {"largest difference in {} motions: {}", motions, worst.text()},
                   .why = "[-r_x r_z, -r_y r_z, d^2]/(d (d^2 + r_z^2)), and one 0"},
                  worst, rounding);
 }
@@ -178,7 +178,7 @@ double wrong_rows(bool of_anchors, bool turned, bool r_of_sensor, double sign) {
     const SystemPoint& p = course.points[0];
     if (!of_anchors) return apart(rows_by(b.C, b.r, 1, turned, r_of_sensor, sign), b.exact.H);
     double difference = 0;
-    for (Eigen::Index i = 0; i < 3; ++i) {
+    for (Index i = 0; i < 3; ++i) {
       const Vector3d to_anchor = p.anchors.segment<3>(3 * i) - p.x.head<3>();
       difference = std::max(difference, apart(rows_by(b.C, to_anchor, 0, turned, r_of_sensor, sign),
                                               b.exact.H.middleRows(2 + 2 * i, 2)));
@@ -197,23 +197,20 @@ std::vector<Claim> measurement_rows() {
   };
   const Worst of_feature = nearest_and_ours(false), of_anchors = nearest_and_ours(true);
   return {studied("4.2-H", "(4.32), (4.33)", "H is dz/dr^s [-I 0 [x r] I], to 1e-9",
-                  {.measured = fmt::format("largest difference from exact derivatives in {} motions: {}",
-                                           motions, of_feature.text()),
+                  {.measured = {"largest difference from exact derivatives in {} motions: {}", motions,
+                                of_feature.text()},
                    .why = "dz/dr^s C [-I 0 [r x] I], r in axes of the world"},
                   of_feature, rounding),
           studied("4.2-anchored-H", "(4.36), (4.37)",
                   "Rows of H for an anchor are dz/dr^s [-I 0 [x r] 0], with its r, to 1e-9",
-                  {.measured = fmt::format(
-                       "largest difference from exact derivatives in {} motions, three anchors: {}", motions,
-                       of_anchors.text()),
+                  {.measured = {"largest difference from exact derivatives in {} motions, three anchors: {}",
+                                motions, of_anchors.text()},
                    .why = "dz/dr^s C [-I 0 [r x] 0], r in axes of the world"},
                   of_anchors, rounding)};
 }
 
 }  // namespace
 
-std::vector<Claim> matrix_claims() {
-  return concatenated({{force_matrix(), partials()}, measurement_rows()});
-}
+std::vector<Claim> matrix_claims() { return concatenated({force_matrix(), partials(), measurement_rows()}); }
 
 }  // namespace incognita::observability_claims::inertial

@@ -5,8 +5,6 @@
 // order; r is x_f - p, as (4.39) has it. Matrices are compared with exact derivatives by misalignments, as in
 // example_4_2_matrices.cpp, to 1e-9; printed [x a] may be [a x] or its negative, r and f in axes of the world
 // or of the sensor, whichever comes nearest.
-#include <Eigen/Geometry>
-
 #include "experiments/common.hpp"
 #include "experiments/example_4_2.hpp"
 
@@ -30,15 +28,15 @@ double wrong_rows(double of_r, double of_psi) {
 
 Claim measurement_matrix() {
   const Worst worst{std::min(wrong_rows(-1, 1), wrong_rows(-1, -1)), wrong_rows(1, 1)};
-  return studied("4.2-relative-H", "(4.39), (4.40)",
-                 "The measurement is [-I 0 [x r]] of features parametrized by r = x_f - p, to 1e-9 (before "
-                 "it dz/dr^s C)",
-                 {.printed = "-I",
-                  .measured = fmt::format(
-                      "largest difference from exact derivatives in {} motions, either sign of [x r]: {}",
-                      motions, worst.text()),
-                  .why = "[I 0 [r x]]: I, as (4.41) has it, for r = x_f - p; -I is for p - x_f"},
-                 worst, rounding);
+  return studied(
+      "4.2-relative-H", "(4.39), (4.40)",
+      "The measurement is [-I 0 [x r]] of features parametrized by r = x_f - p, to 1e-9 (before it dz/dr^s "
+      "C)",
+      {.printed = "-I",
+       .measured = {"largest difference from exact derivatives in {} motions, either sign of [x r]: {}",
+                    motions, worst.text()},
+       .why = "[I 0 [r x]]: I, as (4.41) has it, for r = x_f - p; -I is for p - x_f"},
+      worst, rounding);
 }
 
 /// Rows of (4.41), with A for dz/dr^s, in the order of our states.
@@ -97,10 +95,10 @@ Claim entries() {
       "4.2-relative-Q1-entries", "(4.41)",
       "Q_1 is H, H F and H F F with these entries, and nothing more, to 1e-9",
       {.printed = "[A 0 A x r], [0 A 0], [0 0 A x f] with A = dz/dr^s",
-       .measured = fmt::format(
-           "largest difference from exact derivatives in {} motions: printed {:.2g}, with A C for A {:.2g}, "
-           "ours {}; H F F F is {}. The null space of the printed rows is that of (4.42) with C r: {}",
-           motions, printed, without_minus, below(corrected), below(third), yes_no(explains)),
+       .measured =
+           {"largest difference from exact derivatives in {} motions: printed {:.2g}, with A C for A {:.2g}, "
+            "ours {}; H F F F is {}. The null space of the printed rows is that of (4.42) with C r: {}",
+            motions, printed, without_minus, below(corrected), below(third), yes_no(explains)},
        .why = "A C for A, -A C in the row of v (r' = -v), r and f in axes of the world. C is why (4.42) has "
               "C r for r"},
       printed < rounding && third < rounding, corrected < rounding && third < rounding && explains);
@@ -117,24 +115,21 @@ std::vector<Claim> one_segment() {
   const auto in_part = [](int left) { return left == 1 || left == 2; };
   return {
       studied("4.2-relative-Q1", "(4.41)", "Q_1 has six independent rows",
-              {.printed = "6", .measured = fmt::format("rank {} of 9 in {} motions", 9 - s.left(1), motions)},
+              {.printed = "6", .measured = {"rank {} of 9 in {} motions", 9 - s.left(1), motions}},
               s.left(1) == 3),
-      studied(
-          "4.2-relative-null-space", "(4.42), (4.43)", "Null space of one segment",
-          {.printed = "[C r 0 0], [zeta 0 f], [0 C r 0]: dimension 3",
-           .measured = fmt::format("dimension {} of 9 in {} motions; spanned with C r: {}, with r: {}",
-                                   s.left(1), motions, yes_no(basis(true)), yes_no(basis(false))),
-           .why =
-               "r in axes of the world, as f, in place of C r. zeta is r x f up to sign and multiples of r, "
-               "which put its zero along r_y as printed or, as the text has it, along r_x"},
-          basis(true), basis(false)),
+      studied("4.2-relative-null-space", "(4.42), (4.43)", "Null space of one segment",
+              {.printed = "[C r 0 0], [zeta 0 f], [0 C r 0]: dimension 3",
+               .measured = {"dimension {} of 9 in {} motions; spanned with C r: {}, with r: {}", s.left(1),
+                            motions, yes_no(basis(true)), yes_no(basis(false))},
+               .why = "r in axes of the world, as f, in place of C r. zeta is r x f up to sign and multiples "
+                      "of r, which put its zero along r_y as printed or, as the text has it, along r_x"},
+              basis(true), basis(false)),
       studied("4.2-relative-partially", "below (4.43)",
               "Relative position and misalignment can only be partially reconstructed in one segment",
               {.printed = "partially",
-               .measured =
-                   fmt::format("directions of three that N(Q_1) leaves open in {} motions: of r {}, of psi "
-                               "{}, of v {}; states outside it: {}",
-                               motions, joined({of_r}), joined({of_psi}), joined({of_v}), listed(seen))},
+               .measured = {"directions of three that N(Q_1) leaves open in {} motions: of r {}, of psi {}, "
+                            "of v {}; states outside it: {}",
+                            motions, joined({of_r}), joined({of_psi}), joined({of_v}), listed(seen)}},
               seen.empty() && in_part(of_r) && in_part(of_psi))};
 }
 
@@ -145,21 +140,20 @@ std::vector<Claim> two_segments() {
   return {studied(2, "4.2-relative-two-segments", "(4.44)",
                   "SOM and TOM have full rank in two segments, although N(Q_j) is not within N(F_j)",
                   {.printed = "0",
-                   .measured = fmt::format(
-                       "{}, in {} motions; (4.9) holds in {}, and with two features in {}", s.text(), motions,
-                       leaves ? "none" : "some", more.stays() ? "all" : "not all")},
+                   .measured = {"{}, in {} motions; (4.9) holds in {}, and with two features in {}", s.text(),
+                                motions, leaves ? "none" : "some", more.stays() ? "all" : "not all"}},
                   full && leaves),
           studied("4.2-relative-observable", "head of Section 4.1.2",
                   "The relative map makes bearing-only SLAM with inertial sensors fully observable",
                   {.printed = "fully",
-                   .measured = fmt::format("{}, in {} motions", s.text(), motions),
+                   .measured = {"{}, in {} motions", s.text(), motions},
                    .why = "up to the heading: turning all about a vertical changes no measurement. SOM and "
                           "TOM have full rank because H is frozen"},
                   fully_observable(s), leaves_the_yaw(s) && full)};
 }
 
 Claim range_and_bearing() {
-  const Studies maps = by_features({1, 2}, {.system = "inertial-rb", .representation = "relative"});
+  const Studies maps = by_features({1, 2}, relative_map("inertial-rb"));
   const bool as_matrices = maps.all([](const Study& s) { return s.left(2) == 0; });
   return studied(
       maps.cases(), "4.2-range-bearing-relative", "below (4.28), of [19]",
@@ -174,33 +168,27 @@ std::vector<Claim> unaccelerated_claims() {
   const auto leaves = [](const Study& s) { return s.left(1) == 5 && s.left(2) == 2; };
   const std::vector<std::string> velocities{"vx", "vy", "vz"};
   return {
-      studied(
-          3, "4.2-relative-unaccelerated", "below (4.44)",
-          "Without acceleration (f = 0) the rank of Q_1 is four, and the SOM of two segments leaves two",
-          {.printed = "4 of 9, 2",
-           .measured = fmt::format("{}, in {} motions: {}", legend, motions, by_unaccelerated(relative()))},
-          leaves(falls) && leaves(weightless)),
-      studied(
-          2, "4.2-relative-unaccelerated-recovered", "below (4.44)",
-          "Without acceleration (f = 0) the only observable state is the linear velocity",
-          {.printed = "velocity",
-           .measured =
-               fmt::format("states outside the null space, falling and without gravity: of the SOM of "
-                           "two segments {}, and {}; of the motion itself {}, and {}",
-                           listed(falls.observable(2)), listed(weightless.observable(2)),
-                           listed(falls.observable_along()), listed(weightless.observable_along())),
-           .why = "falling, gravity determines the vertical: speed and distance along it, roll and pitch. "
-                  "Without gravity no length and no direction is observable"},
-          falls.observable_along() == velocities && weightless.observable_along() == velocities)};
+      studied(3, "4.2-relative-unaccelerated", "below (4.44)",
+              "Without acceleration (f = 0) the rank of Q_1 is four, and the SOM of two segments leaves two",
+              {.printed = "4 of 9, 2",
+               .measured = {"{}, in {} motions: {}", legend, motions, by_unaccelerated(relative())}},
+              leaves(falls) && leaves(weightless)),
+      studied(2, "4.2-relative-unaccelerated-recovered", "below (4.44)",
+              "Without acceleration (f = 0) the only observable state is the linear velocity",
+              {.printed = "velocity",
+               .measured = {"states outside the null space, falling and without gravity: of the SOM of two "
+                            "segments {}, and {}; of the motion itself {}, and {}",
+                            listed(falls.observable(2)), listed(weightless.observable(2)),
+                            listed(falls.observable_along()), listed(weightless.observable_along())},
+               .why = "falling, gravity determines the vertical: speed and distance along it, roll and "
+                      "pitch. Without gravity no length and no direction is observable"},
+              falls.observable_along() == velocities && weightless.observable_along() == velocities)};
 }
 
 }  // namespace
 
 std::vector<Claim> relative_claims() {
-  return concatenated({{measurement_matrix(), entries()},
-                       one_segment(),
-                       two_segments(),
-                       {range_and_bearing()},
+  return concatenated({measurement_matrix(), entries(), one_segment(), two_segments(), range_and_bearing(),
                        unaccelerated_claims()});
 }
 

@@ -4,8 +4,8 @@
 // Experiment: the built-in system `planar-cv`, motions and rules of observability_claims.hpp: velocity and
 // turn rate constant within a segment, changed by an unknown amount from one to the next; 1 to 3 features, up
 // to 4 anchors; also at rest.
-#include "experiments/chapter_4_parts.hpp"
 #include "experiments/common.hpp"
+#include "experiments/observability_claims.hpp"
 
 namespace incognita::observability_claims {
 namespace {
@@ -26,7 +26,7 @@ std::vector<Claim> without_anchors() {
       studied(maps.cases(), "4.3-world", "below (4.45)",
               "Without anchors one segment leaves six and recovers no state, the SOM leaves two",
               {.printed = "6, then 2",
-               .measured = fmt::format("{}; states outside N(Q_1): {}", maps.text(), listed(at_once)),
+               .measured = {"{}; states outside N(Q_1): {}", maps.text(), listed(at_once)},
                .why = "two only after three segments: 6, 4, 2"},
               s.dimensions() == std::vector{6, 2, 2} && at_once.empty(),
               s.dimensions() == std::vector{6, 4, 2} && at_once.empty()),
@@ -34,12 +34,11 @@ std::vector<Claim> without_anchors() {
           "4.3-world-recovered", "below (4.45)",
           "Without anchors linear and angular velocities are recovered, and nothing else",
           {.printed = "velocities",
-           .measured = fmt::format(
-               "states outside the null space in {} motions: of the SOM of three segments {}; of the "
-               "motion itself {}",
-               motions, listed(in_som), listed(along)),
-           .why = "the angular velocity alone. Turning all, or scaling all from a point, changes no "
-                  "bearing, and so the linear velocity is not observable either. SOM adds even the heading"},
+           .measured = {"states outside the null space in {} motions: of the SOM of three segments {}; of "
+                        "the motion itself {}",
+                        motions, listed(in_som), listed(along)},
+           .why = "the angular velocity alone. Turning all, or scaling all from a point, changes no bearing, "
+                  "and so the linear velocity is not observable either. SOM adds even the heading"},
           along == velocities && in_som == velocities,
           turns && along == std::vector<std::string>{"wz"} && in_som == velocities_and_heading)};
 }
@@ -52,23 +51,23 @@ std::vector<Claim> one_anchor() {
       studied("4.3-one-anchor", "below (4.46)",
               "With one anchor the rank of Q_1 is four, and the SOM of two segments leaves one",
               {.printed = "4 of 8, 1",
-               .measured = fmt::format("rank {} of 8 in {} motions; {}", 8 - s.left(1), motions, s.text())},
+               .measured = {"rank {} of 8 in {} motions; {}", 8 - s.left(1), motions, s.text()}},
               s.left(1) == 4 && s.left(2) == 1),
-      studied(2, "4.3-one-anchor-velocities", "below (4.46)",
-              "With one anchor linear and angular velocities are recovered in the first segment",
-              {.printed = "velocities",
-               .measured = fmt::format("states outside N(Q_1) in {} motions, by anchors: 1: {}; 2: {}",
-                                       motions, listed(one), listed(two)),
-               .why = "a feature and an anchor give two equations for three velocities. Two anchors give the "
-                      "third"},
-              one == velocities),
+      studied(
+          2, "4.3-one-anchor-velocities", "below (4.46)",
+          "With one anchor linear and angular velocities are recovered in the first segment",
+          {.printed = "velocities",
+           .measured = {"states outside N(Q_1) in {} motions, by anchors: 1: {}; 2: {}", motions, listed(one),
+                        listed(two)},
+           .why =
+               "a feature and an anchor give two equations for three velocities. Two anchors give the third"},
+          one == velocities),
       studied(
           "4.3-one-anchor-for-good", "below (4.46)",
           "With one anchor no more than these directions are recovered: one remains unobservable",
           {.printed = "1",
-           .measured =
-               fmt::format("{}, in {} motions; turning all about the anchor and scaling all from it: {}",
-                           s.text(), motions, turns ? "that is it" : "that is not it"),
+           .measured = {"{}, in {} motions; turning all about the anchor and scaling all from it: {}",
+                        s.text(), motions, turns ? "that is it" : "that is not it"},
            .why = s.full_rank(3) && turns
                       ? "with a third segment SOM and TOM have full rank, and the motion itself leaves two"
                       : ""},
@@ -82,8 +81,8 @@ Claim two_anchors() {
                  "With two anchors Q_1 has rank six and recovers velocities only; two segments make the "
                  "system fully observable",
                  {.printed = "6 of 8, 0",
-                  .measured = fmt::format("rank {} of 8 in {} motions, states outside N(Q_1): {}; {}",
-                                          8 - s.left(1), motions, listed(seen), s.text())},
+                  .measured = {"rank {} of 8 in {} motions, states outside N(Q_1): {}; {}", 8 - s.left(1),
+                               motions, listed(seen), s.text()}},
                  s.left(1) == 2 && seen == velocities && observable_in_two(s));
 }
 
@@ -91,29 +90,27 @@ Claim three_anchors() {
   const Studies anchored = by_anchors({3, 4}, {.system = "planar-cv"});
   const auto found = anchored.each([](const Study& s) { return s.left(1); });
   const bool basis = anchored.all([](const Study& s) { return s.stripped_spanned_by(1, named({"depth"})); });
-  return studied(
-      2, "4.3-three-anchors", "(4.47)",
-      "Null space of one segment with more than two anchors: the distance of the feature",
-      {.printed = "dimension 1",
-       .measured = fmt::format("dimension with 3/4 anchors in {} motions {}; the printed vector spans it: {}",
-                               motions, joined(found), yes_no(basis))},
-      basis);
+  return studied(2, "4.3-three-anchors", "(4.47)",
+                 "Null space of one segment with more than two anchors: the distance of the feature",
+                 {.printed = "dimension 1",
+                  .measured = {"dimension with 3/4 anchors in {} motions {}; the printed vector spans it: {}",
+                               motions, joined(found), yes_no(basis)}},
+                 basis);
 }
 
 Claim translating() {
   const Study& s = world(1, 3, "stationary");
   const auto at_rest = s.observable(1), moving = world(1, 3).observable(1);
-  return studied(
-      2, "4.3-translating", "below (4.47)",
-      "With more than two anchors position, orientation and velocities are recovered in the first segment "
-      "only if the camera is translating",
-      {.printed = "only if translating",
-       .measured = fmt::format(
-           "states outside N(Q_1) with three anchors in {} motions each, moving: {}; at rest: {}. At rest {}",
-           motions, listed(moving), listed(at_rest), s.text()),
-       .why = "three bearings determine a pose, and their rates the velocities, at rest as well: neither F "
-              "nor H depends on the velocity. Only the feature needs translation"},
-      moving == of_vehicle && at_rest != of_vehicle);
+  return studied(2, "4.3-translating", "below (4.47)",
+                 "With more than two anchors position, orientation and velocities are recovered in the first "
+                 "segment only if the camera is translating",
+                 {.printed = "only if translating",
+                  .measured = {"states outside N(Q_1) with three anchors in {} motions each, moving: {}; at "
+                               "rest: {}. At rest {}",
+                               motions, listed(moving), listed(at_rest), s.text()},
+                  .why = "three bearings determine a pose, and their rates the velocities, at rest as well: "
+                         "neither F nor H depends on the velocity. Only the feature needs translation"},
+                 moving == of_vehicle && at_rest != of_vehicle);
 }
 
 Claim f_null_space() {
@@ -128,10 +125,10 @@ Claim f_null_space() {
   return studied(2, "4.3-F-null-space", "(4.46), (4.48)",
                  "F and its null space, which contains N(Q_j) with more than two anchors",
                  {.printed = "dimension 5",
-                  .measured = fmt::format("largest difference of F from exact derivatives {}; dimension {}; "
-                                          "(4.9) holds with 3 anchors in {} of {} motions, with one {}",
-                                          below(difference), dimension(spaces), s.stays() ? "all" : "not all",
-                                          motions, world(1, 1).stays() ? "too" : "not")},
+                  .measured = {"largest difference of F from exact derivatives {}; dimension {}; (4.9) holds "
+                               "with 3 anchors in {} of {} motions, with one {}",
+                               below(difference), dimension(spaces), s.stays() ? "all" : "not all", motions,
+                               world(1, 1).stays() ? "too" : "not"}},
                  difference < rounding && basis && s.stays() && world(1, 4).stays());
 }
 
@@ -145,11 +142,8 @@ Claim three_anchors_two_segments() {
 
 LedgerEntry run(const ExperimentSettings& settings) {
   return entry_of(example_4_3, settings,
-                  concatenated({without_anchors(),
-                                one_anchor(),
-                                {two_anchors(), three_anchors(), translating(), f_null_space(),
-                                 three_anchors_two_segments()},
-                                planar_cv_relative_claims()}));
+                  {without_anchors(), one_anchor(), two_anchors(), three_anchors(), translating(),
+                   f_null_space(), three_anchors_two_segments(), planar_cv_relative_claims()});
 }
 
 }  // namespace

@@ -3,14 +3,14 @@
 // Experiment: the built-in system `planar-cv` in its relative form, motions and rules of
 // observability_claims.hpp; 1 to 3 features; with H as it is and with the zero that is printed in its heading
 // column; also at rest. The thesis prints matrices of r = p - x_f; ours is x_f - p.
-#include "experiments/chapter_4_parts.hpp"
 #include "experiments/common.hpp"
+#include "experiments/observability_claims.hpp"
 
 namespace incognita::observability_claims {
 namespace {
 
 const Study& relative(int features = 1, const std::string& motion = "general") {
-  return study({.system = "planar-cv", .representation = "relative", .features = features, .motion = motion});
+  return study(relative_map("planar-cv", features, motion));
 }
 
 Vector2d r_of(const SystemPoint& p) { return p.x.segment<2>(4); }
@@ -30,9 +30,7 @@ std::vector<int> dimensions_with_zero(const Study& s) {
 
 bool leaves_turn_and_scale(const Study& s) { return s.along_spanned_by(named({"rotation", "scale"})); }
 
-Studies maps_of_three() {
-  return by_features({1, 2, 3}, {.system = "planar-cv", .representation = "relative"});
-}
+Studies maps_of_three() { return by_features({1, 2, 3}, relative_map("planar-cv")); }
 
 /// A row of H or H F in the printed order of states, with the printed sign of r.
 Eigen::RowVectorXd as_printed(const Eigen::RowVectorXd& row) {
@@ -52,12 +50,12 @@ Claim first_segment() {
     ours(0, 2) = ours(1, 5) = -1;
     worst.take(printed, ours, exact);
   }
-  return studied("4.3-relative-Q1", "(4.50), (4.51)", "Q_1 with H of (4.24), to 1e-9",
-                 {.printed = "0 in the columns of heading and turn rate",
-                  .measured = fmt::format("largest difference from exact derivatives in {} motions: {}",
-                                          motions, worst.text()),
-                  .why = "-1 there, as (4.24) has it (r is p - x_f here)"},
-                 worst, rounding);
+  return studied(
+      "4.3-relative-Q1", "(4.50), (4.51)", "Q_1 with H of (4.24), to 1e-9",
+      {.printed = "0 in the columns of heading and turn rate",
+       .measured = {"largest difference from exact derivatives in {} motions: {}", motions, worst.text()},
+       .why = "-1 there, as (4.24) has it (r is p - x_f here)"},
+      worst, rounding);
 }
 
 std::vector<Claim> one_segment() {
@@ -80,17 +78,17 @@ std::vector<Claim> one_segment() {
       studied(
           "4.3-relative-null-space", "(4.52)", "Null space of one segment",
           {.printed = "[r 0 0 0], [0 0 r 0], heading, turn rate: dimension 4",
-           .measured = fmt::format(
-               "dimension {} of 6 in {} motions; the printed vectors span it: {}; with the 0 of (4.51): {}",
-               s.left(1), motions, yes_no(as_printed), yes_no(of_zero)),
-           .why = "dimension 4, but heading and turn rate only together with the turned r: [-r_y r_x 1 0 "
-                  "0 0], [0 0 0 r_y -r_x 1] with r = x_f - p"},
+           .measured =
+               {"dimension {} of 6 in {} motions; the printed vectors span it: {}; with the 0 of (4.51): {}",
+                s.left(1), motions, yes_no(as_printed), yes_no(of_zero)},
+           .why = "dimension 4, but heading and turn rate only together with the turned r: [-r_y r_x 1 0 0 "
+                  "0], [0 0 0 r_y -r_x 1] with r = x_f - p"},
           as_printed, s.stripped_spanned_by(1, ours)),
-      studied("4.3-relative-instant", "below (4.52)",
-              "No state is completely observable in one segment, not even the orientation",
-              {.printed = "none",
-               .measured = fmt::format("states outside N(Q_1) in {} motions: {}", motions, listed(seen))},
-              seen.empty())};
+      studied(
+          "4.3-relative-instant", "below (4.52)",
+          "No state is completely observable in one segment, not even the orientation",
+          {.printed = "none", .measured = {"states outside N(Q_1) in {} motions: {}", motions, listed(seen)}},
+          seen.empty())};
 }
 
 Claim more_segments() {
@@ -105,10 +103,9 @@ Claim more_segments() {
       "4.3-relative-two-segments", "(4.53)",
       "Two or more segments leave two modes, orientation and angular velocity",
       {.printed = "heading, turn rate: dimension 2",
-       .measured =
-           fmt::format("{}, in {} motions; with the 0 of (4.51) SOM leaves {}, by (4.53) {}; states outside "
-                       "the null space of the motion itself: {}",
-                       s.text(), motions, joined(dimensions_with_zero(s)), yes_no(of_zero), listed(seen)),
+       .measured = {"{}, in {} motions; with the 0 of (4.51) SOM leaves {}, by (4.53) {}; states outside the "
+                    "null space of the motion itself: {}",
+                    s.text(), motions, joined(dimensions_with_zero(s)), yes_no(of_zero), listed(seen)},
        .why = "two modes are left, but they are turning all and scaling all; the angular velocity is "
               "recovered. (4.53) comes of the 0 in (4.51); with -1 the SOM of three segments has full rank"},
       s.stripped_spanned_by(2, printed) && s.stripped_spanned_by(3, printed) && s.along_spanned_by(printed),
@@ -126,7 +123,7 @@ Claim more_features() {
       maps.cases(), "4.3-relative-features", "below (4.53)",
       "More features do not change that the SOM of two segments leaves two modes",
       {.printed = "2",
-       .measured = fmt::format("{}; left by SOM with the 0 of (4.51): {}", maps.text(), zero.text()),
+       .measured = {"{}; left by SOM with the 0 of (4.51): {}", maps.text(), zero.text()},
        .why = "of the motion itself that is true, which leaves turn and scale with any number. A second "
               "feature removes one from the null space of the SOM, unless H has the 0 of (4.51)"},
       left == std::vector{2, 2, 2},
@@ -138,14 +135,14 @@ Claim must_move() {
   const auto seen = s.observable_along();
   const bool recovered = std::ranges::count(seen, "rx_1") > 0 && std::ranges::count(seen, "ry_1") > 0;
   const bool lost = rest.true_dimension() > s.true_dimension() && rest.dimensions() == std::vector{4, 4, 4};
-  return studied(2, "4.3-relative-moving", "below (4.53)",
-                 "The velocity must be nonzero to at least recover the relative positions",
-                 {.printed = "recovered",
-                  .measured = fmt::format(
-                      "{}: moving {}, at rest {}; states outside the null space of the motion itself: {}",
-                      legend, s.numbers(), rest.numbers(), listed(seen)),
-                  .why = "moving recovers them up to scale and turn, with any number of features"},
-                 lost && recovered, lost && maps_of_three().all(leaves_turn_and_scale));
+  return studied(
+      2, "4.3-relative-moving", "below (4.53)",
+      "The velocity must be nonzero to at least recover the relative positions",
+      {.printed = "recovered",
+       .measured = {"{}: moving {}, at rest {}; states outside the null space of the motion itself: {}",
+                    legend, s.numbers(), rest.numbers(), listed(seen)},
+       .why = "moving recovers them up to scale and turn, with any number of features"},
+      lost && recovered, lost && maps_of_three().all(leaves_turn_and_scale));
 }
 
 Claim never_full() {
@@ -153,14 +150,14 @@ Claim never_full() {
   const auto unless_zero = [](const Study& s) { return s.full_rank(3) && dimensions_with_zero(s)[2] > 0; };
   const Cases in_truth = by_number({1, 2, 3}, [](int features) -> CaseResult {
     const Study& s = relative(features);
-    return {fmt::format("{}, with the 0 of (4.51) {}", s.numbers(), joined(dimensions_with_zero(s))),
+    return {{"{}, with the 0 of (4.51) {}", s.numbers(), joined(dimensions_with_zero(s))},
             leaves_turn_and_scale(s)};
   });
   return studied(
       3, "4.3-relative-never", "end of Example 4.3",
       "No relative map of a constant-velocity model is fully observable, or reaches the rank condition",
       {.printed = "none",
-       .measured = fmt::format("{}, by features: {}", legend, in_truth.text()),
+       .measured = {"{}, by features: {}", legend, in_truth.text()},
        .why = "none is, as the motion itself leaves turn and scale. But SOM and TOM have full rank in three "
               "segments, unless H has the 0 of (4.51)"},
       in_truth.hold() && maps.all([](const Study& s) { return s.rank_deficient(3); }),
@@ -171,7 +168,7 @@ Claim never_full() {
 
 std::vector<Claim> planar_cv_relative_claims() {
   return concatenated(
-      {{first_segment()}, one_segment(), {more_segments(), more_features(), must_move(), never_full()}});
+      {first_segment(), one_segment(), more_segments(), more_features(), must_move(), never_full()});
 }
 
 }  // namespace incognita::observability_claims

@@ -5,7 +5,6 @@
 // anchors. Printed vectors hold p, v, psi, omega, x_f in this order. Their r may be that of the feature or of
 // the anchor, of either sign, in axes of the world or of the sensor: each vector is given the reading that
 // suits it. F of (4.55) is compared with exact derivatives by misalignments, to 1e-9.
-#include <Eigen/Geometry>
 #include <array>
 
 #include "experiments/common.hpp"
@@ -91,26 +90,23 @@ std::vector<Claim> one_segment() {
   };
   const std::vector<int> as_printed = inside(false), in_world = inside(true);
   const bool ours = one.stripped_spanned_by(1, our_vectors);
-  return {
-      studied(2, "4.4-null-space", "(4.56)",
-              "With two anchors one segment leaves seven dimensions unobservable and eight combinations of "
-              "states observable",
-              {.printed = "dimension 7, rank 8",
-               .measured = fmt::format("dimension with 1/2 anchors in {} motions {}/{}, rank {}/{}", motions,
-                                       one.left(1), two.left(1), 15 - one.left(1), 15 - two.left(1)),
-               .why = "with one anchor; two leave three"},
-              two.left(1) == 7, ours && two.left(1) == 3),
-      studied(
-          3, "4.4-basis", "(4.56)", "Vectors of that null space",
-          {.printed = "[0 C_i' x r 0 e_i 0], [[x r]_i 0 e_i 0 0], [0 0 0 0 r^s]",
-           .measured = fmt::format(
-               "in the null space with 0/1/2 anchors: {} of 7, {} with r for r^s; ours span it with one "
-               "anchor: {}",
-               joined(as_printed), joined(in_world), yes_no(ours)),
-           .why = "they belong to a camera without anchors. With one anchor at b: [0 0 0 0 r], [b 0 0 0 "
-                  "b], [b x e_i 0 e_i 0 (b - r) x e_i], and two of v and omega, one of them turning about "
-                  "d = r - b: [0 b x d 0 C d 0]"},
-          as_printed[1] == 7 || as_printed[2] == 7, ours && in_world[0] == 7)};
+  return {studied(2, "4.4-null-space", "(4.56)",
+                  "With two anchors one segment leaves seven dimensions unobservable and eight combinations "
+                  "of states observable",
+                  {.printed = "dimension 7, rank 8",
+                   .measured = {"dimension with 1/2 anchors in {} motions {}/{}, rank {}/{}", motions,
+                                one.left(1), two.left(1), 15 - one.left(1), 15 - two.left(1)},
+                   .why = "with one anchor; two leave three"},
+                  two.left(1) == 7, ours && two.left(1) == 3),
+          studied(3, "4.4-basis", "(4.56)", "Vectors of that null space",
+                  {.printed = "[0 C_i' x r 0 e_i 0], [[x r]_i 0 e_i 0 0], [0 0 0 0 r^s]",
+                   .measured = {"in the null space with 0/1/2 anchors: {} of 7, {} with r for r^s; ours span "
+                                "it with one anchor: {}",
+                                joined(as_printed), joined(in_world), yes_no(ours)},
+                   .why = "they belong to a camera without anchors. With one anchor at b: [0 0 0 0 r], [b 0 "
+                          "0 0 b], [b x e_i 0 e_i 0 (b - r) x e_i], and two of v and omega, one of them "
+                          "turning about d = r - b: [0 b x d 0 C d 0]"},
+                  as_printed[1] == 7 || as_printed[2] == 7, ours && in_world[0] == 7)};
 }
 
 Claim rows() {
@@ -122,8 +118,8 @@ Claim rows() {
   return assessed("4.4-rows", "below (4.56)",
                   "With one feature and three or more anchors H has ten rows, in general 2 nm + 2 na",
                   {.printed = "10",
-                   .measured = fmt::format("with 3 anchors {}, with 4 {}; in general {}", three, four,
-                                           general ? "2 nm + 2 na" : "other numbers"),
+                   .measured = {"with 3 anchors {}, with 4 {}; in general {}", three, four,
+                                general ? "2 nm + 2 na" : "other numbers"},
                    .why = "eight with three anchors; ten are four's",
                    .runs = 4},
                   general && three == 10, general);
@@ -152,10 +148,10 @@ std::vector<Claim> two_segments() {
           4, "4.4-two-segments", "(4.57)",
           "With more than two anchors the SOM has full rank, and the system is observable, in two segments",
           {.printed = "0",
-           .measured = fmt::format("{}. With two SOM and TOM have full rank in two segments: {}; "
-                                   "the motion itself leaves the turn of all about the line through them: {}",
-                                   cases.text(), yes_no(two.full_rank(2)),
-                                   yes_no(two.along_spanned_by(turn_about_line)))},
+           .measured = {"{}. With two SOM and TOM have full rank in two segments: {}; the motion itself "
+                        "leaves the turn of all about the line through them: {}",
+                        cases.text(), yes_no(two.full_rank(2)),
+                        yes_no(two.along_spanned_by(turn_about_line))}},
           all),
       studied(both.cases(), "4.4-as-on-the-plane", "end of Example 4.4",
               "That is as with the constant-velocity model of the plane", {.measured = both.text()},
@@ -182,16 +178,15 @@ Claim error_form() {
       "4.4-F", "(4.55) and F below it",
       "The error form of (4.54) is r' = v, v' = 0, psi' = C' omega, omega' = 0, to 1e-9",
       {.printed = "r' = v",
-       .measured = fmt::format(
-           "largest difference of F from exact derivatives in {} motions: for r = x_f - p {:.2g}, for p {}",
-           motions, of_r, below(of_p)),
+       .measured =
+           {"largest difference of F from exact derivatives in {} motions: for r = x_f - p {:.2g}, for p {}",
+            motions, of_r, below(of_p)},
        .why = "p' = v. F is right, but for the feature's zeros, which it leaves out"},
       of_r < rounding, of_p < rounding);
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  return entry_of(example_4_4, settings,
-                  concatenated({{error_form()}, one_segment(), {rows()}, two_segments()}));
+  return entry_of(example_4_4, settings, {error_form(), one_segment(), rows(), two_segments()});
 }
 
 }  // namespace

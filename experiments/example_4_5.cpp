@@ -12,7 +12,6 @@
 #include "experiments/common.hpp"
 #include "experiments/observability_claims.hpp"
 #include "incognita/analysis/systems/lie_algebra.hpp"
-#include "incognita/analysis/systems/system_instance.hpp"
 #include "incognita/io/formats/system_file.hpp"
 
 namespace incognita::observability_claims {
@@ -34,11 +33,9 @@ struct Polar {
   }
 };
 
-const Study& ranges_and_bearings() { return study({.system = "planar-rb", .representation = "relative"}); }
+const Study& ranges_and_bearings() { return study(relative_map("planar-rb")); }
 
-Case polar(int features = 1) {
-  return {.system = "planar-polar", .representation = "relative", .features = features};
-}
+Case polar(int features = 1) { return relative_map("planar-polar", features); }
 
 /// Largest difference of the fields of v and omega from what they must be; g1 by range and bearing, which is
 /// turned by pi when r is p - x_f.
@@ -65,9 +62,9 @@ Claim model() {
   return studied("4.5-model", "(4.69) to (4.73)",
                  "The model in polar coordinates follows from (4.11), to 1e-9",
                  {.printed = "rho' = v cos phi; g_1 = [cos phi, sin phi/rho, -1], g_2 = [0 0 1]",
-                  .measured = fmt::format("largest difference in {} motions, r = x_f - p or p - x_f: (4.69) "
-                                          "to (4.71) {:.2g}, (4.72) and (4.73) {:.2g}, ours {}",
-                                          motions, of_equations, of_fields, below(corrected)),
+                  .measured = {"largest difference in {} motions, r = x_f - p or p - x_f: (4.69) to (4.71) "
+                               "{:.2g}, (4.72) and (4.73) {:.2g}, ours {}",
+                               motions, of_equations, of_fields, below(corrected)},
                   .why = "rho' = -v cos phi, phi' = (v/rho) sin phi - omega with r = x_f - p: g_1 = [-cos "
                          "phi, sin phi/rho, 0], g_2 = [0, -1, 1]"},
                  of_equations < rounding && of_fields < rounding, corrected < rounding);
@@ -83,9 +80,8 @@ Claim first_order() {
   return studied(
       "4.5-first-order", "(4.74), (4.75)", "Lie derivatives of the bearing along both fields, to 1e-9",
       {.printed = "sin phi/rho and 0",
-       .measured =
-           fmt::format("largest difference in {} motions: the first {}, the second {:.2g}, from -1 {}",
-                       motions, below(first), second, below(ours)),
+       .measured = {"largest difference in {} motions: the first {}, the second {:.2g}, from -1 {}", motions,
+                    below(first), second, below(ours)},
        .why = "the second is -1. Its differential is 0 all the same"},
       first < rounding && second < rounding, first < rounding && ours < rounding);
 }
@@ -105,38 +101,35 @@ std::vector<Claim> left_by_lie() {
     return dimension(spaces);
   });
   return {
-      studied(
-          "4.5-rank", "(4.76)", "The differentials of all Lie derivatives span two of three dimensions",
-          {.printed = "2 of 3",
-           .measured = fmt::format("rank {} at {} points, derivatives of all orders; largest difference of "
-                                   "the printed second column from d(sin phi/rho) {}",
-                                   3 - left[0], motions, below(difference))},
-          left[0] == 1 && difference < rounding),
-      studied(
-          3, "4.5-null-space", "(4.77), head of Chapter 4", "What they do not span is the orientation",
-          {.printed = "[0 0 1]: dimension 1",
-           .measured = fmt::format("dimension with 1/2/3 features at {} points {}; the heading spans it: {}",
-                                   motions, joined(left), yes_no(heading))},
-          heading)};
+      studied("4.5-rank", "(4.76)", "The differentials of all Lie derivatives span two of three dimensions",
+              {.printed = "2 of 3",
+               .measured = {"rank {} at {} points, derivatives of all orders; largest difference of the "
+                            "printed second column from d(sin phi/rho) {}",
+                            3 - left[0], motions, below(difference)}},
+              left[0] == 1 && difference < rounding),
+      studied(3, "4.5-null-space", "(4.77), head of Chapter 4", "What they do not span is the orientation",
+              {.printed = "[0 0 1]: dimension 1",
+               .measured = {"dimension with 1/2/3 features at {} points {}; the heading spans it: {}",
+                            motions, joined(left), yes_no(heading)}},
+              heading)};
 }
 
 Claim contrary() {
-  const Case cartesian{.system = "planar", .representation = "relative"};
+  const Case cartesian = relative_map("planar");
   const Study &s = study(cartesian), &in_polar = study(polar());
   const Vectors turned = named({"rotation"});
   const Spaces by_lie = lie(cartesian);
   const bool linear_finds_it = s.full_rank(2),
              unseen = are_basis(by_lie, s.courses(), turned) && s.along_spanned_by(turned),
              depends = s.dimensions() != in_polar.dimensions();
-  return studied(
-      2, "4.5-contrary", "below (4.77)",
-      "The global orientation is not observable, contrary to the result of the linear analysis",
-      {.printed = "contrary",
-       .measured = fmt::format("{} in {} motions: {}; by Lie derivatives {}: all turned, {}. In polar "
+  return studied(2, "4.5-contrary", "below (4.77)",
+                 "The global orientation is not observable, contrary to the result of the linear analysis",
+                 {.printed = "contrary",
+                  .measured = {"{} in {} motions: {}; by Lie derivatives {}: all turned, {}. In polar "
                                "coordinates {}: the result of SOM and TOM {} on coordinates",
                                legend, motions, s.numbers(), joined({dimension(by_lie)}), yes_no(unseen),
-                               in_polar.numbers(), depends ? "depends" : "does not depend")},
-      linear_finds_it && unseen);
+                               in_polar.numbers(), depends ? "depends" : "does not depend"}},
+                 linear_finds_it && unseen);
 }
 
 /// Lie derivatives of the first measurement of a landmark along the field of the input v, and where they are
@@ -188,7 +181,7 @@ Claim recursion() {
   Worst worst;
   for (const char* system : {"planar", "planar-polar"}) {
     const RepeatedLie lie(system);
-    for (const Course& course : study({.system = system, .representation = "relative"}).courses()) {
+    for (const Course& course : study(relative_map(system)).courses()) {
       SystemPoint point = course.points[0];
       point.u = VectorXd::Unit(2, 0);
       for (std::size_t q = 1; q <= RepeatedLie::orders; ++q) {
@@ -198,20 +191,18 @@ Claim recursion() {
       }
     }
   }
-  return studied(
-      2, "4.5-recursion", "(4.64), (4.66)",
-      "The differential of a Lie derivative from the one before, orders 1 to 3, to 1e-9",
-      {.printed = "L dh (g(x)/x) + ...",
-       .measured = fmt::format("largest difference from gradients of L^q h along g_1 at {} points, in "
+  return studied(2, "4.5-recursion", "(4.64), (4.66)",
+                 "The differential of a Lie derivative from the one before, orders 1 to 3, to 1e-9",
+                 {.printed = "L dh (g(x)/x) + ...",
+                  .measured = {"largest difference from gradients of L^q h along g_1 at {} points, in "
                                "Cartesian and polar coordinates: g/x entry by entry {:.2g}, ours {}",
-                               motions, worst.printed, below(worst.ours)),
-       .why = "L dh (dg/dx) + ...: the quotient is a derivative"},
-      worst, rounding);
+                               motions, worst.printed, below(worst.ours)},
+                  .why = "L dh (dg/dx) + ...: the quotient is a derivative"},
+                 worst, rounding);
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  return entry_of(example_4_5, settings,
-                  concatenated({{recursion(), model(), first_order()}, left_by_lie(), {contrary()}}));
+  return entry_of(example_4_5, settings, {recursion(), model(), first_order(), left_by_lie(), contrary()});
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 // Example 4.6, Figure 4.4: ranks of the information matrix.
 #include "experiments/common.hpp"
 #include "experiments/example_4_6.hpp"
-#include "incognita/math/angles.hpp"
-#include "incognita/math/random.hpp"
 
 namespace incognita::two_bearings {
 namespace {
@@ -93,27 +91,26 @@ std::vector<Claim> ranks() {
           "4.6-rank", "Figure 4.4, Example 4.6",
           "Rank of the information matrix at rest, while moving north, while turning to the east",
           {.printed = text(printed),
-           .measured = fmt::format(
-               "{}, each from the first measurement of its phase on, in {} settings of noises, steps "
-               "and features (singular values of the root, of the largest: kept from {:.1e} on, left "
-               "out {}). The stripped matrix (4.8), each step a segment: {}. The filter with F of "
-               "the step before: {}; with F by encoder speeds 2 % off: {}; with H where the vehicle "
-               "was a step ago, at the ends of phases: {}; with F along the tangent: {}",
-               text(all), runs().size(), all.least_kept, below(all.most_left_out), text(segments), text(late),
-               text(measured), text(with(Jacobians::measurements_late).at_end),
-               text(with(Jacobians::along_tangent))),
-           .why =
-               "2, 3, 4: moving north adds one, the distance to feature 2, and turning one, that to feature 1. "
-               "What is printed is the rank of (4.8), which freezes H inside a segment; a filter has it when its "
-               "F and H are not those of one and the same motion. The thesis does not say which of these it used"},
+           .measured = {"{}, each from the first measurement of its phase on, in {} settings of noises, "
+                        "steps and features (singular values of the root, of the largest: kept from {:.1e} "
+                        "on, left out {}). The stripped matrix (4.8), each step a segment: {}. The filter "
+                        "with F of the step before: {}; with F by encoder speeds 2 % off: {}; with H where "
+                        "the vehicle was a step ago, at the ends of phases: {}; with F along the tangent: {}",
+                        text(all), runs().size(), all.least_kept, below(all.most_left_out), text(segments),
+                        text(late), text(measured), text(with(Jacobians::measurements_late).at_end),
+                        text(with(Jacobians::along_tangent))},
+           .why = "2, 3, 4: moving north adds one, the distance to feature 2, and turning one, that to "
+                  "feature 1. What is printed is the rank of (4.8), which freezes H inside a segment; a "
+                  "filter has it when its F and H are not those of one and the same motion. The thesis does "
+                  "not say which of these it used"},
           all.is(printed),
           all.is({2, 3, 4}) && segments.is(printed) && late.is(printed) && measured.is(printed)),
       tested("4.6-stationary", "below Figure 4.4, Example 4.6",
-             "At rest only two states are observable, combinations of the positions of vehicle and "
-             "features and of the heading: rank 2, and nothing about any state alone",
+             "At rest only two states are observable, combinations of the positions of vehicle and features "
+             "and of the heading: rank 2, and nothing about any state alone",
              {.printed = "2",
-              .measured = fmt::format("rank {}; largest marginal information of a state: {}", all.at_end[0],
-                                      none_alone ? "0" : "above 0")},
+              .measured = {"rank {}; largest marginal information of a state: {}", all.at_end[0],
+                           none_alone ? "0" : "above 0"}},
              all.throughout && all.at_end[0] == 2 && none_alone)};
 }
 
@@ -147,12 +144,12 @@ Claim deficiency() {
   }
   constexpr double same = 1e-9;
   return tested("4.6-deficiency", "Figure 4.4, Example 4.6",
-                "After 14 s a rank deficiency of two remains: the modes of (4.20), position of the whole "
-                "to the north and to the east (to 1e-9)",
+                "After 14 s a rank deficiency of two remains: the modes of (4.20), position of the whole to "
+                "the north and to the east (to 1e-9)",
                 {.printed = "2",
-                 .measured = fmt::format("{} at the end in {} settings. Observable part of the modes of "
-                                         "(4.20) {}, of a turn of everything about the origin {}",
-                                         most_missing, runs().size(), below(modes), below(turned)),
+                 .measured = {"{} at the end in {} settings. Observable part of the modes of (4.20) {}, of a "
+                              "turn of everything about the origin {}",
+                              most_missing, runs().size(), below(modes), below(turned)},
                  .why = "3: the modes of (4.20) and a turn of everything, which changes no bearing either"},
                 most_missing == 2 && least_missing == 2 && modes <= same,
                 most_missing == 3 && least_missing == 3 && modes <= same && turned <= same);
@@ -171,21 +168,21 @@ int differing(std::vector<Knowledge> (*of)(const Setup&)) {
 
 }  // namespace
 
-std::vector<Claim> rank_claims() { return concatenated({ranks(), {deficiency()}}); }
+std::vector<Claim> rank_claims() { return concatenated({ranks(), deficiency()}); }
 
 Claim link() {
   int measurements = 0;
   for (const Run& run : runs()) measurements += static_cast<int>(run.known.size());
   const int segments = differing(stripped), motion = differing(along_the_motion);
-  return tested("4.6-link", "Section 4.3, above Example 4.6",
-                "The rank of the information matrix at any point is directly linked to that of the "
-                "observability matrix of the system; tested: it is the same after each measurement",
-                {.measured = fmt::format(
-                     "of {} measurements in {} settings it differs at {} from that of (4.8), each step a "
-                     "segment, and at {} from that of [H_0; H_1 F_0; H_2 F_1 F_0; ...] along the motion",
-                     measurements, runs().size(), segments, motion),
-                 .why = "to that along the motion, not to the chapter's (4.8)"},
-                segments == 0, motion == 0);
+  return tested(
+      "4.6-link", "Section 4.3, above Example 4.6",
+      "The rank of the information matrix at any point is directly linked to that of the observability "
+      "matrix of the system; tested: it is the same after each measurement",
+      {.measured = {"of {} measurements in {} settings it differs at {} from that of (4.8), each step a "
+                    "segment, and at {} from that of [H_0; H_1 F_0; H_2 F_1 F_0; ...] along the motion",
+                    measurements, runs().size(), segments, motion},
+       .why = "to that along the motion, not to the chapter's (4.8)"},
+      segments == 0, motion == 0);
 }
 
 }  // namespace incognita::two_bearings

@@ -13,7 +13,6 @@ namespace incognita {
 namespace {
 
 using namespace closed_loop;
-using Eigen::Vector2d;
 using section_5_1::gain;
 
 const Path to_goal = PointPath{{10, 10, 0}};
@@ -49,19 +48,19 @@ Claim three_eigenvalues(const Runs& runs) {
       ticks.take(moduli(r, gain(r.mean))[0], r.input[0], i.t_s >= there_s);
     }
   }
-  const Eigen::Vector3d at_rest = moduli({0, 0, 0}, {0, 0}, gain({0, 0, 0}));
+  const Vector3d at_rest = moduli({0, 0, 0}, {0, 0}, gain({0, 0, 0}));
   const auto percent = [](int part, int whole) { return whole > 0 ? 100.0 * part / whole : 0.0; };
   const int above = ticks.away_above + ticks.there_above;
   return assessed(
       "5.1-eigenvalues", "below (5.6), Figure 5.5",
       "The three eigenvalues of F - G L are less than one during the whole simulation time",
       {.printed = "less than one",
-       .measured = fmt::format(
-           "one is above 1 at {:.2f} % of the ticks before arrival and at {:.0f} % of those at the goal, up "
-           "to {:.4f}; above with the vehicle moving forward {}, not above while it moves backward {} of {} "
-           "ticks. At rest: {:.3f}, {:.3f}, {:.3f}",
-           percent(ticks.away_above, ticks.away), percent(ticks.there_above, ticks.there), ticks.largest,
-           ticks.ahead_above, ticks.back_below, ticks.away + ticks.there, at_rest[0], at_rest[1], at_rest[2]),
+       .measured = {"one is above 1 at {:.2f} % of the ticks before arrival and at {:.0f} % of those at the "
+                    "goal, up to {:.4f}; above with the vehicle moving forward {}, not above while it moves "
+                    "backward {} of {} ticks. At rest: {:.3f}, {:.3f}, {:.3f}",
+                    percent(ticks.away_above, ticks.away), percent(ticks.there_above, ticks.there),
+                    ticks.largest, ticks.ahead_above, ticks.back_below, ticks.away + ticks.there, at_rest[0],
+                    at_rest[1], at_rest[2]},
        .why = "the position's two are. The third is the heading's, which the control leaves alone: 1 at "
               "rest, below 1 while the vehicle moves forward and above 1 while it moves backward, as it does "
               "half of the time around its goal; a drifting heading does no harm there",
@@ -74,15 +73,14 @@ Claim three_eigenvalues(const Runs& runs) {
 LedgerEntry run(const ExperimentSettings& settings) {
   const Runs runs = runs_of(settings, "5.1, to the goal", setup());
   const Run& first = runs.front();
-  return entry_of(example_5_1, settings,
-                  concatenated({section_5_1::regulator_claims(),
-                                section_5_1::separation_claims(settings, each(runs, final_m)),
-                                {arrives(runs), three_eigenvalues(runs),
-                                 consistent_enough("5.1-consistent", "Figure 5.4", runs)},
-                                section_5_1::vehicle_claims(settings.seeds)}),
-                  {map_figure("fig-5.3", "LQG regulation and SLAM", setup(), first),
-                   state_figure("fig-5.4", "State estimation and LQG control", first),
-                   eigenvalue_figure("fig-5.5", "LQG: eigenvalues of F - G L", first, gain)});
+  return entry_of(
+      example_5_1, settings,
+      {section_5_1::regulator_claims(), section_5_1::separation_claims(settings, each(runs, final_m)),
+       arrives(runs), three_eigenvalues(runs), consistent_enough("5.1-consistent", "Figure 5.4", runs),
+       section_5_1::vehicle_claims(settings.seeds)},
+      {map_figure("fig-5.3", "LQG regulation and SLAM", setup(), first),
+       state_figure("fig-5.4", "State estimation and LQG control", first),
+       eigenvalue_figure("fig-5.5", "LQG: eigenvalues of F - G L", first, gain)});
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 // with normal M, weights and noises random and definite; expected costs are propagated exactly, nothing is
 // drawn beyond the systems. Holds: differences to 1e-8 of what is compared; of costs, that each of ten other
 // sets of gains costs more.
-#include <Eigen/Eigenvalues>
-
 #include "experiments/common.hpp"
 #include "experiments/example_5_1.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
@@ -13,10 +11,6 @@
 #include "incognita/models/motion/monobot.hpp"
 
 namespace incognita::section_5_1 {
-
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 MatrixXd some_matrix(RandomStream& random, Index rows, Index columns) {
   return MatrixXd::NullaryExpr(rows, columns, [&] { return random.normal(); });
@@ -122,14 +116,14 @@ Claim duality() {
     ++settled;
     worst = std::max({worst, relative(dual.T, filter.P), relative(dual.L.transpose(), s.F * filter.K)});
   }
-  return assessed("5.1-duality", "Chapter 5, introduction; Section 5.1",
-                  "LQG regulation is the dual of the Kalman filter: (5.3) and (5.4) for F', H', G Q G' and R "
-                  "give the filter's covariance and F K, to 1e-8",
-                  {.printed = "its dual",
-                   .measured = fmt::format("largest relative difference of {} systems that settle: {}",
-                                           settled, below(worst)),
-                   .runs = systems},
-                  settled >= systems / 2 && worst <= as_good_as_equal);
+  return assessed(
+      "5.1-duality", "Chapter 5, introduction; Section 5.1",
+      "LQG regulation is the dual of the Kalman filter: (5.3) and (5.4) for F', H', G Q G' and R give the "
+      "filter's covariance and F K, to 1e-8",
+      {.printed = "its dual",
+       .measured = {"largest relative difference of {} systems that settle: {}", settled, below(worst)},
+       .runs = systems},
+      settled >= systems / 2 && worst <= as_good_as_equal);
 }
 
 std::vector<MatrixXd> disturbed(RandomStream& random, std::vector<MatrixXd> gains) {
@@ -156,16 +150,15 @@ Claim optimal() {
       least_by_K = std::min(least_by_K, expected_cost(t, t.L, disturbed(random, t.K)).whole / cost.whole);
     }
   }
-  return assessed(
-      "5.1-optimal", "Section 5.1, (5.1)-(5.3)",
-      "For a linear system with Gaussian noises and a quadratic cost the optimal solution is the LQG: its "
-      "cost is that of (5.4) (to 1e-8), and other gains cost more",
-      {.printed = "optimal",
-       .measured = fmt::format("largest relative difference of the cost from Riccati's {}; {} other gains "
-                               "each: of the regulator from {:.6f} times as much, of the filter from {:.6f}",
-                               below(worst), others, least_by_L, least_by_K),
-       .runs = systems},
-      worst <= as_good_as_equal && least_by_L > 1 && least_by_K > 1);
+  return assessed("5.1-optimal", "Section 5.1, (5.1)-(5.3)",
+                  "For a linear system with Gaussian noises and a quadratic cost the optimal solution is the "
+                  "LQG: its cost is that of (5.4) (to 1e-8), and other gains cost more",
+                  {.printed = "optimal",
+                   .measured = {"largest relative difference of the cost from Riccati's {}; {} other gains "
+                                "each: of the regulator from {:.6f} times as much, of the filter from {:.6f}",
+                                below(worst), others, least_by_L, least_by_K},
+                   .runs = systems},
+                  worst <= as_good_as_equal && least_by_L > 1 && least_by_K > 1);
 }
 
 Claim decomposition() {
@@ -184,10 +177,10 @@ Claim decomposition() {
       "(5.1) falls into a term of the estimate and the input and one of the estimation error, which does not "
       "depend on the input; to 1e-8",
       {.printed = "two terms",
-       .measured = fmt::format(
-           "largest relative difference of the sum of the two {}, of the error's term with another control "
-           "{}; with another gain of the filter than Kalman's the sum is off by up to {:.0f} %",
-           below(with_kalman), below(by_control), 100 * with_another),
+       .measured =
+           {"largest relative difference of the sum of the two {}, of the error's term with another control "
+            "{}; with another gain of the filter than Kalman's the sum is off by up to {:.0f} %",
+            below(with_kalman), below(by_control), 100 * with_another},
        .runs = systems},
       with_kalman <= as_good_as_equal && by_control <= as_good_as_equal);
 }
@@ -222,10 +215,9 @@ Claim index_of_T() {
       "5.1-index", "(5.3), (5.4)",
       "The gains of (5.3) with (5.4) have the least cost (5.1): no more than the least, to 1e-8",
       {.printed = "T_k on both sides of (5.4), and in (5.3)",
-       .measured = fmt::format(
-           "over {} steps, {} systems: the same T on both sides costs {:.4f} to {:.3g} times as much; with "
-           "T_(k+1) on the right x_0' T_0 x_0 is the cost, to a relative difference {}",
-           steps, compared, least, most, below(worst)),
+       .measured = {"over {} steps, {} systems: the same T on both sides costs {:.4f} to {:.3g} times as "
+                    "much; with T_(k+1) on the right x_0' T_0 x_0 is the cost, to a relative difference {}",
+                    steps, compared, least, most, below(worst)},
        .why = "T_(k+1) on the right of both: the recursion runs back from the end. The same T on both sides "
               "is where it settles over an infinite horizon",
        .runs = compared},
@@ -250,19 +242,18 @@ Claim to_zero() {
   const SteadyGain line = steady_gain(one, dt * one, one, one);
   const double a = 1 - dt * line.L(0, 0), sigma_v = 0.1;
   const double var = std::pow(dt * sigma_v, 2) / (1 - a * a);  // of x+ = a x + dt v
-  return assessed(
-      "5.1-to-zero", "below (5.1)",
-      "With Q1 and Q2 positive semi-definite the minimization drives the state to zero",
-      {.printed = "psd",
-       .measured = fmt::format("Q1 = 0 on a line, which is psd: {}; Q1 definite, no noise: of {} systems the "
-                               "most that is left after 1000 steps {}; on a line disturbed by 0.1 m/s at 10 "
-                               "Hz, Q1 = Q2 = 1: {:.1f} mm rms for ever",
-                               sentence(free.outcome), regulated, below(left), 1000 * std::sqrt(var)),
-       .why = "without noise, and if each mode that does not decay by itself costs something in Q1; with "
-              "noise it stays about zero",
-       .runs = systems},
-      free.outcome == RegulatorOutcome::converged && left <= as_good_as_equal,
-      free.outcome != RegulatorOutcome::converged && left <= as_good_as_equal);
+  return assessed("5.1-to-zero", "below (5.1)",
+                  "With Q1 and Q2 positive semi-definite the minimization drives the state to zero",
+                  {.printed = "psd",
+                   .measured = {"Q1 = 0 on a line, which is psd: {}; Q1 definite, no noise: of {} systems "
+                                "the most that is left after 1000 steps {}; on a line disturbed by 0.1 m/s "
+                                "at 10 Hz, Q1 = Q2 = 1: {:.1f} mm rms for ever",
+                                sentence(free.outcome), regulated, below(left), 1000 * std::sqrt(var)},
+                   .why = "without noise, and if each mode that does not decay by itself costs something in "
+                          "Q1; with noise it stays about zero",
+                   .runs = systems},
+                  free.outcome == RegulatorOutcome::converged && left <= as_good_as_equal,
+                  free.outcome != RegulatorOutcome::converged && left <= as_good_as_equal);
 }
 
 /// Of an error of 1 m, after 100 steps of the monobot under u = -L x.
@@ -283,9 +274,9 @@ Claim any_gain() {
       "5.1-any-gain", "above Example 5.1",
       "For a fully observable monobot the vehicle part of F - G L is stable for any positive definite L",
       {.printed = "any",
-       .measured = fmt::format("at 10 Hz, by L in 1/s, with what is left of 1 m after 100 steps: 0.1: {}; "
-                               "10: {}; 19.9: {}; 20.1: {}; 40: {}",
-                               in_words(0.1), in_words(10), in_words(19.9), in_words(20.1), in_words(40)),
+       .measured = {"at 10 Hz, by L in 1/s, with what is left of 1 m after 100 steps: 0.1: {}; 10: {}; 19.9: "
+                    "{}; 20.1: {}; 40: {}",
+                    in_words(0.1), in_words(10), in_words(19.9), in_words(20.1), in_words(40)},
        .why = "0 < L < 2/dt: the vehicle part is 1 - L dt. Larger ones overshoot by more than they correct"},
       stable(20.1) && stable(40), stable(0.1) && stable(10) && stable(19.9) && !stable(20.1) && !stable(40));
 }
@@ -299,9 +290,9 @@ Claim frozen_eigenvalues() {
                   "Asymptotic stability is guaranteed when the eigenvalues of F - G L, which change with "
                   "every step, are less than one",
                   {.printed = "guaranteed",
-                   .measured = fmt::format("[0.5 2; 0 0.5] and its transpose, both with eigenvalues {:.1f}, "
-                                           "in turns: an error grows {:.2f} times a step",
-                                           each, in_turns),
+                   .measured = {"[0.5 2; 0 0.5] and its transpose, both with eigenvalues {:.1f}, in turns: "
+                                "an error grows {:.2f} times a step",
+                                each, in_turns},
                    .why = "of a matrix that stays as it is. Of one that changes the eigenvalues of each do "
                           "not determine those of the product; the condition is whether a norm of the error "
                           "falls at every step, as that of the position does here, see (5.10)"},

@@ -6,9 +6,6 @@
 // landmarks, as full observability takes, for 40 s each from the start of Example 5.1 to its goal, with Q1 a
 // tenth of and ten times that of the example; the same noises for both, as many seeds as asked for. Holds:
 // linear, differences to 1e-9; the vehicle, by 95 % intervals of paired differences.
-#include <Eigen/Cholesky>
-
-#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/closed_loop_statistics.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_1.hpp"
@@ -18,10 +15,6 @@
 
 namespace incognita::section_5_1 {
 namespace {
-
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 constexpr double as_good_as_zero = 1e-9;
 
@@ -65,9 +58,9 @@ Claim structure() {
   return assessed("5.1-structure", "(5.5)",
                   "(5.5) is how state and estimation error move, with z_k = H x_k + w_k; to 1e-9",
                   {.printed = "noise w_k",
-                   .measured = fmt::format("against plant and filter stepped side by side, largest relative "
-                                           "difference of {} loops: printed {:.2g}, with w_(k+1) {}",
-                                           loops, worst.printed, below(worst.ours)),
+                   .measured = {"against plant and filter stepped side by side, largest relative difference "
+                                "of {} loops: printed {:.2g}, with w_(k+1) {}",
+                                loops, worst.printed, below(worst.ours)},
                    .why = "all signs are right; the noise is that of the measurement after the step, w_(k+1)",
                    .runs = loops},
                   worst, as_good_as_zero);
@@ -88,16 +81,16 @@ Claim eigenvalues() {
     filter.F += 0.1 * some_matrix(random, plant.F.rows(), plant.F.cols());
     elsewhere = std::min(elsewhere, separation(plant, filter, loop.L, loop.K).spectral_distance);
   }
-  return assessed("5.1-eigenvalues-of-loop", "below (5.5)",
-                  "The eigenvalues of the closed loop are those of F - G L together with those of F - K H F "
-                  "(to 1e-6, to which eigenvalues that coincide are known), and it is stable when both are",
-                  {.printed = "together",
-                   .measured = fmt::format(
-                       "largest distance between an eigenvalue of plant and filter and its like of the "
-                       "parts, {} loops: {}; of a filter whose F is not the plant's, at least {:.2g}",
-                       loops, below(same), elsewhere),
-                   .runs = loops},
-                  same <= 1e-6 && stable_together);
+  return assessed(
+      "5.1-eigenvalues-of-loop", "below (5.5)",
+      "The eigenvalues of the closed loop are those of F - G L together with those of F - K H F (to 1e-6, to "
+      "which eigenvalues that coincide are known), and it is stable when both are",
+      {.printed = "together",
+       .measured = {"largest distance between an eigenvalue of plant and filter and its like of the parts, "
+                    "{} loops: {}; of a filter whose F is not the plant's, at least {:.2g}",
+                    loops, below(same), elsewhere},
+       .runs = loops},
+      same <= 1e-6 && stable_together);
 }
 
 /// Errors of the estimate, a column a step, and the covariance at the end.
@@ -132,15 +125,8 @@ Filtered steered(const LinearSystem& s, double L, std::uint64_t seed) {
   return out;
 }
 
-LinearSystem anchored_monobot() {
-  monobot::Setup setup;
-  setup.landmarks = 2;
-  setup.anchored = true;
-  return monobot::system(setup);
-}
-
 Claim filter_of_any_control(int seeds) {
-  const LinearSystem s = anchored_monobot();
+  const LinearSystem s = monobot::system({.landmarks = 2, .anchored = true});
   double errors = 0, covariances = 0, paths = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     const Filtered slow = steered(s, 0.1, static_cast<std::uint64_t>(seed));
@@ -156,10 +142,10 @@ Claim filter_of_any_control(int seeds) {
       "Linear: the estimation error does not depend on the input, and the filter not on what the control is; "
       "to 1e-9",
       {.printed = "independent of Q1 and Q2",
-       .measured = fmt::format(
-           "monobot with an anchor and two landmarks, L = 0.1, 0.5, 1, 1.9, the same noises: errors over 100 "
-           "steps differ, in m, {}, covariances, in m^2, {}; the farthest it went by up to {:.2f} m",
-           below(errors), below(covariances), paths),
+       .measured =
+           {"monobot with an anchor and two landmarks, L = 0.1, 0.5, 1, 1.9, the same noises: errors over "
+            "100 steps differ, in m, {}, covariances, in m^2, {}; the farthest it went by up to {:.2f} m",
+            below(errors), below(covariances), paths},
        .runs = seeds},
       errors <= as_good_as_zero && covariances <= as_good_as_zero);
 }
@@ -208,9 +194,9 @@ Claim control_of_any_noise() {
                   "Linear: the best control gain does not depend on P, Q and R: whatever they are, gains "
                   "other than (5.3) cost more",
                   {.printed = "does not depend",
-                   .measured = fmt::format("{} systems, {} pairs of Q and R each over four decades, {} other "
-                                           "gains: from 1 + {:.1e} times the cost a step",
-                                           assessed_systems, noises, others, least - 1),
+                   .measured = {"{} systems, {} pairs of Q and R each over four decades, {} other gains: "
+                                "from 1 + {:.1e} times the cost a step",
+                                assessed_systems, noises, others, least - 1},
                    .runs = assessed_systems},
                   assessed_systems >= systems / 2 && least > 1);
 }
@@ -220,12 +206,11 @@ Claim observable_filter() {
   constexpr int choices = 20;
   double largest = 0, at_100 = 0, at_1000 = 0, longest = 0;
   for (int i = 0; i < choices; ++i) {
-    monobot::Setup setup;
-    setup.landmarks = 1 + random.below(3);
-    setup.anchored = true;
-    setup.steps = 1000;
-    setup.sigma_v_m = std::pow(10, random.uniform(-2, 0)),
-    setup.sigma_w_m = std::pow(10, random.uniform(-2, 0));
+    const monobot::Setup setup{.landmarks = 1 + random.below(3),
+                               .anchored = true,
+                               .steps = 1000,
+                               .sigma_v_m = std::pow(10, random.uniform(-2, 0)),
+                               .sigma_w_m = std::pow(10, random.uniform(-2, 0))};
     const LinearSystem s = monobot::system(setup);
     const monobot::Course course = monobot::course(setup);
     MatrixXd left = MatrixXd::Identity(s.F.rows(), s.F.rows());
@@ -244,10 +229,10 @@ Claim observable_filter() {
       "For a fully observable monobot F - K H F is always stable: with an anchor all its eigenvalues are "
       "inside the unit circle at every step",
       {.printed = "always",
-       .measured = fmt::format(
-           "largest of {} choices of noises and one to three landmarks, 1000 steps: 1 - {:.1e}; after 100 "
-           "steps 1 - {:.1e}, after 1000 1 - {:.1e}. What is left of the first error: at most {:.1e}",
-           choices, 1 - largest, 1 - at_100, 1 - at_1000, longest),
+       .measured =
+           {"largest of {} choices of noises and one to three landmarks, 1000 steps: 1 - {:.1e}; after 100 "
+            "steps 1 - {:.1e}, after 1000 1 - {:.1e}. What is left of the first error: at most {:.1e}",
+            choices, 1 - largest, 1 - at_100, 1 - at_1000, longest},
        .runs = choices},
       largest < 1);
 }
@@ -283,7 +268,7 @@ double growth_m(const Run& run) {
 }
 
 double final_m(const Run& run) {
-  return (run.instants.back().robots[0].truth.head<2>() - Eigen::Vector2d(10, 10)).norm();
+  return (run.instants.back().robots[0].truth.head<2>() - Vector2d(10, 10)).norm();
 }
 
 Claim need_of_observability(const std::vector<double>& free_m, const std::vector<double>& known_m) {
@@ -298,8 +283,8 @@ Claim need_of_observability(const std::vector<double>& free_m, const std::vector
       "SLAM must be fully observable for its estimates to be used by any controller: without known landmarks "
       "fewer than 95 % of the seeds end within 0.5 m of the goal",
       {.printed = "must",
-       .measured = fmt::format("without: {}; with two known landmarks, Q1 = 10 I: {}", in_words(free_m),
-                               in_words(known_m)),
+       .measured = {"without: {}; with two known landmarks, Q1 = 10 I: {}", in_words(free_m),
+                    in_words(known_m)},
        .why = "what cannot be observed is the frame, and that was fixed by the start: the vehicle goes to "
               "the goal in that frame. Observability is needed to remove the error of the frame",
        .seeds = free_m.size()},
@@ -338,8 +323,8 @@ std::vector<Claim> vehicle(const ExperimentSettings& settings, const std::vector
       "LQG in SLAM is stable for a controllable vehicle, and with full observability so is the filter: with "
       "two known landmarks its error does not grow while it stands at the goal by more than 5 mm (99.9 %)",
       {.printed = "stable",
-       .measured = fmt::format("rms error from 32.5 s to 40 s less that of the 7.5 s before: {} over {} runs",
-                               text(grown, "m"), growth.size()),
+       .measured = {"rms error from 32.5 s to 40 s less that of the 7.5 s before: {} over {} runs",
+                    text(grown, "m"), growth.size()},
        .seeds = growth.size()},
       is_below(grown, 0.005));
   return {nonlinear, unaffected, stable, need_of_observability(free_m, each(stiff, final_m))};
@@ -348,9 +333,8 @@ std::vector<Claim> vehicle(const ExperimentSettings& settings, const std::vector
 }  // namespace
 
 std::vector<Claim> separation_claims(const ExperimentSettings& settings, const std::vector<double>& free_m) {
-  return concatenated({{structure(), eigenvalues(), filter_of_any_control(std::min(settings.seeds, 20)),
-                        control_of_any_noise(), observable_filter()},
-                       vehicle(settings, free_m)});
+  return concatenated({structure(), eigenvalues(), filter_of_any_control(std::min(settings.seeds, 20)),
+                       control_of_any_noise(), observable_filter(), vehicle(settings, free_m)});
 }
 
 }  // namespace incognita::section_5_1

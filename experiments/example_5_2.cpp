@@ -5,14 +5,10 @@
 // in Example 5.1, facing away from the path's start, so that what it says of the first seconds can be seen;
 // and (7, 0) along the path. The robot has arrived when it stays within 0.5 m of the reference from then on;
 // the last 50 s are the steady state.
-#include <numbers>
-
-#include "experiments/chapter_5_numbers.hpp"
+#include "experiments/example_5_2.hpp"
 #include "experiments/closed_loop_figures.hpp"
 #include "experiments/closed_loop_statistics.hpp"
 #include "experiments/common.hpp"
-#include "experiments/example_5_2.hpp"
-#include "incognita/math/angles.hpp"
 
 namespace incognita {
 namespace {
@@ -26,18 +22,17 @@ Setup setup(const planar::Pose<double>& start, double duration_s = 100) {
   return {.robots = {section_5_2::robot(start, circle)}, .duration_s = duration_s};
 }
 
-const Setup facing_away = setup({-7, 0, std::numbers::pi}), on_path = setup({7, 0, std::numbers::pi / 2}, 30);
+const Setup facing_away = setup({-7, 0, pi}), on_path = setup({7, 0, pi / 2}, 30);
 
 double arrived(const Run& run) { return arrived_s(run, circle); }
 
 Claim converges(const Runs& runs) {
   std::vector<Tracking> steady;
   for (const Run& run : runs) steady.push_back(tracking(facing_away, run, steady_s));
-  return arrive_by(
-      40, each(runs, arrived), "5.2-converges", "Example 5.2, Figure 5.6",
-      "The vehicle comes to the circle and follows it, while it maps: 95 % of the seeds within 0.5 m of "
-      "where they should be from 40 s on at the latest",
-      "accurately followed", text(steady, "In the last 50 s, rms", "its"));
+  return arrive_by(40, each(runs, arrived), "5.2-converges", "Example 5.2, Figure 5.6",
+                   "The vehicle comes to the circle and follows it, while it maps: 95 % of the seeds within "
+                   "0.5 m of where they should be from 40 s on at the latest",
+                   "accurately followed", text(steady, "In the last 50 s, rms", "its"));
 }
 
 double speed_m_s(const Instant& i) { return i.robots[0].input[0]; }
@@ -49,17 +44,16 @@ Claim steady_state(const Runs& runs) {
         each(runs, [&](const Run& run) { return mean_of(over_ticks(run, of, {.from_s = steady_s})).value; }));
   };
   const Interval speed = in_steady_state(speed_m_s), turn = in_steady_state(turn_deg_s);
-  return assessed(
-      "5.2-steady-state", "Example 5.2, Figure 5.7",
-      "Speed and turn rate settle around 0.6 m/s and 5 deg/s: means of the last 50 s within 0.05 m/s and 0.1 "
-      "deg/s",
-      {.printed = "0.6 m/s, 5 deg/s",
-       .measured = fmt::format(
-           "{}, {}; r w is {:.4f} m/s, of the axle then {:.4f}", text(speed, "m/s"), text(turn, "deg/s"),
-           circle.radius_m * circle.rate_rad_s,
-           circle.rate_rad_s * std::sqrt(std::pow(circle.radius_m, 2) - std::pow(body.forward_m, 2))),
-       .seeds = runs.size()},
-      agrees(speed, 0.6, 0.05) && agrees(turn, 5, 0.1));
+  return assessed("5.2-steady-state", "Example 5.2, Figure 5.7",
+                  "Speed and turn rate settle around 0.6 m/s and 5 deg/s: means of the last 50 s within 0.05 "
+                  "m/s and 0.1 deg/s",
+                  {.printed = "0.6 m/s, 5 deg/s",
+                   .measured = {"{}, {}; r w is {:.4f} m/s, of the axle then {:.4f}", text(speed, "m/s"),
+                                text(turn, "deg/s"), circle.radius_m * circle.rate_rad_s,
+                                circle.rate_rad_s *
+                                    std::sqrt(std::pow(circle.radius_m, 2) - std::pow(body.forward_m, 2))},
+                   .seeds = runs.size()},
+                  agrees(speed, 0.6, 0.05) && agrees(turn, 5, 0.1));
 }
 
 Finding above_in_95_percent(const std::vector<double>& samples, double bound) {
@@ -79,10 +73,10 @@ Claim saturated(const Runs& runs) {
                   "At first the law chooses a saturated speed to reach the path: at more than half of the "
                   "ticks until it is there, in 95 % of the seeds",
                   {.printed = "saturated",
-                   .measured = fmt::format("{:.1f} m off at first; at the limit of {} m/s at a share of "
-                                           "ticks of median {:.0f} %, in 95 % of the seeds above {:.0f} %",
-                                           quantile(each(runs, first_error_m), 0.5), top_speed_m_s,
-                                           quantile(shares, 0.5), quantile(shares, 0.05)),
+                   .measured = {"{:.1f} m off at first; at the limit of {} m/s at a share of ticks of median "
+                                "{:.0f} %, in 95 % of the seeds above {:.0f} %",
+                                quantile(each(runs, first_error_m), 0.5), top_speed_m_s,
+                                quantile(shares, 0.5), quantile(shares, 0.05)},
                    .seeds = runs.size()},
                   above_in_95_percent(shares, 50));
 }
@@ -100,8 +94,8 @@ Claim turn_rate(const Runs& runs) {
       "The turn rate fluctuates drastically at first and then settles: its rms from 5 deg/s is more than "
       "three times as large in the first 10 s as in the last 50 s, in 95 % of the seeds",
       {.printed = "drastic fluctuation",
-       .measured = fmt::format("first {}, then {}; ratio in 95 % above {:.1f}", text(mean_of(early), "deg/s"),
-                               text(mean_of(late), "deg/s"), quantile(ratios, 0.05)),
+       .measured = {"first {}, then {}; ratio in 95 % above {:.1f}", text(mean_of(early), "deg/s"),
+                    text(mean_of(late), "deg/s"), quantile(ratios, 0.05)},
        .seeds = runs.size()},
       above_in_95_percent(ratios, 3));
 }
@@ -128,23 +122,23 @@ Claim starts_on_path(const Runs& on, const Runs& away) {
   const auto without = std::ranges::count_if(largest, [](double x) { return !(x > 1); }),
              with = std::ranges::count_if(early, [](double ticks) { return ticks > 0; }),
              late = std::ranges::count_if(later, [](double ticks) { return ticks > 0; });
-  return assessed("5.2-start-on-path", "below Figure 5.8",
-                  "A path that begins at the vehicle's first pose would suffice against the unstable "
-                  "transient: no eigenvalue above 1 at any tick, in 95 % of the seeds",
-                  {.printed = "presumably",
-                   .measured = fmt::format(
-                       "no eigenvalue above 1: {}, largest of all {:.4f}; from (-7, 0) facing away there is "
-                       "one in {}, for {:.1f} s (mean), after arrival in {}",
-                       share_text(without, on.size()), quantile(largest, 1), share_text(with, on.size()),
-                       period_s * mean_of(early).value, share_text(late, on.size())),
-                   .seeds = on.size()},
-                  happens_in(0.95, without, on.size()));
+  return assessed(
+      "5.2-start-on-path", "below Figure 5.8",
+      "A path that begins at the vehicle's first pose would suffice against the unstable transient: no "
+      "eigenvalue above 1 at any tick, in 95 % of the seeds",
+      {.printed = "presumably",
+       .measured = {"no eigenvalue above 1: {}, largest of all {:.4f}; from (-7, 0) facing away there is one "
+                    "in {}, for {:.1f} s (mean), after arrival in {}",
+                    share_text(without, on.size()), quantile(largest, 1), share_text(with, on.size()),
+                    period_s * mean_of(early).value, share_text(late, on.size())},
+       .seeds = on.size()},
+      happens_in(0.95, without, on.size()));
 }
 
 /// Noises eight times as large: 0.8 m and 8 degrees of each measurement, 0.8 m/s and 0.8 rad/s of each
 /// command.
 Claim guaranteed(const ExperimentSettings& settings) {
-  Setup rough = setup({-7, 0, std::numbers::pi}, 60);
+  Setup rough = setup({-7, 0, pi}, 60);
   rough.anchors = 2;
   rough.noise = 8;
   const Runs runs = runs_of(settings, "5.2, two anchors, noises times 8", rough);
@@ -160,8 +154,8 @@ Claim guaranteed(const ExperimentSettings& settings) {
                   "with all noises times eight, no seed is 3 m off its path, and the largest error of ten "
                   "seconds does not grow by 0.1 m from 40-50 s to 50-60 s (99.9 %)",
                   {.printed = "guaranteed",
-                   .measured = fmt::format("largest from 40 s to 60 s: {}, of all {:.2f} m; growth {}",
-                                           spread_text(worst, "m"), quantile(worst, 1), text(grown, "m")),
+                   .measured = {"largest from 40 s to 60 s: {}, of all {:.2f} m; growth {}",
+                                spread_text(worst, "m"), quantile(worst, 1), text(grown, "m")},
                    .seeds = settings.seeds},
                   quantile(worst, 1) < 3 && is_below(grown, 0.1));
 }
@@ -170,17 +164,15 @@ LedgerEntry run(const ExperimentSettings& settings) {
   const Runs away = runs_of(settings, "5.2, facing away", facing_away),
              on = runs_of(settings, "5.2, from the path's start", on_path);
   const Run& first = away.front();
-  return entry_of(example_5_2, settings,
-                  concatenated({section_5_2::equation_claims(),
-                                section_5_2::convergence_claims(),
-                                {converges(away), steady_state(away), saturated(away), turn_rate(away)},
-                                section_5_2::heading_claims(),
-                                {starts_on_path(on, away), guaranteed(settings),
-                                 consistent_enough("5.2-consistent", "Figure 5.7", away)}}),
-                  {map_figure("fig-5.6", "Feedback linearization and SLAM", facing_away, first),
-                   state_figure("fig-5.7", "State estimation and control by feedback linearization", first),
-                   eigenvalue_figure("fig-5.8", "Feedback linearization: eigenvalues of F - G L", first,
-                                     section_5_2::gain)});
+  return entry_of(
+      example_5_2, settings,
+      {section_5_2::equation_claims(), section_5_2::convergence_claims(), converges(away), steady_state(away),
+       saturated(away), turn_rate(away), section_5_2::heading_claims(), starts_on_path(on, away),
+       guaranteed(settings), consistent_enough("5.2-consistent", "Figure 5.7", away)},
+      {map_figure("fig-5.6", "Feedback linearization and SLAM", facing_away, first),
+       state_figure("fig-5.7", "State estimation and control by feedback linearization", first),
+       eigenvalue_figure("fig-5.8", "Feedback linearization: eigenvalues of F - G L", first,
+                         section_5_2::gain)});
 }
 
 }  // namespace

@@ -4,9 +4,6 @@
 // along exact arcs, state known, no noise. Of held commands the worst ratio of distances to a still goal over
 // one command, over goals for which the turn rate is just at its limit, at gains 2 % below and above the
 // bound of control/held_command.hpp.
-#include <Eigen/Geometry>
-
-#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
 #include "incognita/control/feedback_linearization.hpp"
@@ -16,7 +13,6 @@ namespace incognita::section_5_2 {
 namespace {
 
 using namespace closed_loop;
-using Eigen::Vector2d;
 
 /// Largest distance after one held command over that before it, where -k e turns the body at that rate.
 double worst_ratio(double k, double hold_s, double turn_rate) {
@@ -56,14 +52,13 @@ Claim gains() {
   return assessed(
       "5.2-gain", "(5.10)", "The error dynamics are asymptotically stable if Q2 is positive semi-definite",
       {.printed = "e_(k+1) + Q2 e_k = 0, any psd Q2",
-       .measured =
-           fmt::format("(5.10) as printed, an error of 1 after 20 steps: Q2 = 0.5 I {:.1e}, 2 I {:.1e}; with "
-                       "e+ = (I - K dt) e: K dt = 0 {:.0f}, 1.9 {:.2f}, 2.1 {:.1f}. Of a held command at 1 "
-                       "rad/s, {} s: K 2 % below {:.2f} 1/s leaves at most {:.4f} of the distance, 2 % above "
-                       "{:.4f}; 1 s: below {:.3f} 1/s {:.4f}, above {:.4f}. l = 0.1 m, no limits, from 0.3 "
-                       "m: K dt = 0.5 at most {:.2f} m, K dt = 1.5 up to {:.2f} m",
-                       after(0.5), after(2), after(1), after(-0.9), after(-1.1), hold_s, bound, under, over,
-                       slow_bound, slow_under, slow_over, stays, left),
+       .measured = {"(5.10) as printed, an error of 1 after 20 steps: Q2 = 0.5 I {:.1e}, 2 I {:.1e}; with e+ "
+                    "= (I - K dt) e: K dt = 0 {:.0f}, 1.9 {:.2f}, 2.1 {:.1f}. Of a held command at 1 rad/s, "
+                    "{} s: K 2 % below {:.2f} 1/s leaves at most {:.4f} of the distance, 2 % above {:.4f}; 1 "
+                    "s: below {:.3f} 1/s {:.4f}, above {:.4f}. l = 0.1 m, no limits, from 0.3 m: K dt = 0.5 "
+                    "at most {:.2f} m, K dt = 1.5 up to {:.2f} m",
+                    after(0.5), after(2), after(1), after(-0.9), after(-1.1), hold_s, bound, under, over,
+                    slow_bound, slow_under, slow_over, stays, left},
        .why = "K = Q2 definite and small enough: |1 - lambda dt| < 1 for every eigenvalue, and on the "
               "vehicle, which turns while a command is held, lambda dt < 2 a cot(a), a = w dt / 2 at the "
               "largest turn rate w; without a limit on w no gain converges from everywhere"},
@@ -86,10 +81,9 @@ Claim finite_time() {
   return assessed(
       "5.2-finite-time", "below (5.13)", "The tracking error converges to zero in finite time",
       {.printed = "finite time",
-       .measured = fmt::format(
-           "without noise: after 40 s {:.1e} m from a point, {:.1e} m on the circle; from 20 s on each "
-           "command leaves {:.4f} to {:.4f} and {:.4f} to {:.4f} of it, 1 - K dt is {:.4f}",
-           left, behind, of_still.least, of_still.most, of_moving.least, of_moving.most, factor),
+       .measured = {"without noise: after 40 s {:.1e} m from a point, {:.1e} m on the circle; from 20 s on "
+                    "each command leaves {:.4f} to {:.4f} and {:.4f} to {:.4f} of it, 1 - K dt is {:.4f}",
+                    left, behind, of_still.least, of_still.most, of_moving.least, of_moving.most, factor},
        .why = "asymptotically: each command leaves the same share of the error"},
       left == 0 && behind == 0, is_factor(of_still) && is_factor(of_moving));
 }

@@ -4,21 +4,14 @@
 // random poses and inputs of up to 1 m/s and 1 rad/s; laws from (-7, 0), heading 0, for 144 s, two rounds of
 // the circle, of which the second counts. Holds: identities to 1e-9; a law follows the circle when its error
 // stays below 5 cm.
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/QR>
-
 #include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
 #include "incognita/control/feedback_linearization.hpp"
-#include "incognita/math/random.hpp"
 
 namespace incognita::section_5_2 {
 namespace {
 
 using namespace closed_loop;
-using Eigen::Matrix2d;
-using Eigen::Vector2d;
 
 constexpr int places = 1000;
 constexpr double as_good_as_zero = 1e-9;
@@ -49,16 +42,16 @@ Claim model() {
     worst.take((velocity - next).norm(), (velocity - body.rate<double>(p.pose, p.input).head<2>()).norm());
     held = std::max(held, (y + period_s * velocity - next).norm());
   }
-  return assessed("5.2-model", "(5.7), (5.20)", "How the control point moves, to 1e-9",
-                  {.printed = "y_(k+1) = Q_r u_k",
-                   .measured = fmt::format(
-                       "largest difference at {} poses and inputs: printed {:.3g} m; its velocity from Q_r "
-                       "u, in m/s, {}; y_k + dt Q_r u_k with the input held for {} s {:.2g} m",
-                       places, worst.printed, below(worst.ours), period_s, held),
-                   .why = "it is the velocity of the point that is Q_r u, so that y_(k+1) is y_k + dt Q_r "
-                          "u_k but for what the body turns meanwhile",
-                   .runs = places},
-                  worst, as_good_as_zero);
+  return assessed(
+      "5.2-model", "(5.7), (5.20)", "How the control point moves, to 1e-9",
+      {.printed = "y_(k+1) = Q_r u_k",
+       .measured = {"largest difference at {} poses and inputs: printed {:.3g} m; its velocity from Q_r u, "
+                    "in m/s, {}; y_k + dt Q_r u_k with the input held for {} s {:.2g} m",
+                    places, worst.printed, below(worst.ours), period_s, held},
+       .why = "it is the velocity of the point that is Q_r u, so that y_(k+1) is y_k + dt Q_r u_k but for "
+              "what the body turns meanwhile",
+       .runs = places},
+      worst, as_good_as_zero);
 }
 
 Claim linearized() {
@@ -71,16 +64,15 @@ Claim linearized() {
     const double angle = std::acos(std::min(1.0, by_command.normalized().dot(wanted.normalized())));
     turned = std::max(turned, degrees(angle));
   }
-  return assessed(
-      "5.2-linearised", "(5.8), Section 5.2",
-      "With u = Q_r^-1 U the nonlinearity is cancelled exactly, not approximately: the control point moves "
-      "with the velocity U at every heading, to 1e-9 m/s",
-      {.printed = "exact",
-       .measured = fmt::format("largest difference at {} poses and velocities, in m/s: {}. Held for {} s at "
-                               "up to 1 rad/s the motion is turned by up to {:.1f} deg",
-                               places, below(worst), period_s, turned),
-       .runs = places},
-      worst <= as_good_as_zero);
+  return assessed("5.2-linearised", "(5.8), Section 5.2",
+                  "With u = Q_r^-1 U the nonlinearity is cancelled exactly, not approximately: the control "
+                  "point moves with the velocity U at every heading, to 1e-9 m/s",
+                  {.printed = "exact",
+                   .measured = {"largest difference at {} poses and velocities, in m/s: {}. Held for {} s at "
+                                "up to 1 rad/s the motion is turned by up to {:.1f} deg",
+                                places, below(worst), period_s, turned},
+                   .runs = places},
+                  worst <= as_good_as_zero);
 }
 
 Claim pseudo_inverse() {
@@ -95,18 +87,17 @@ Claim pseudo_inverse() {
   const double mean =
       mean_of(steer(smallest, {-7, 0, 0}, two_rounds_s, {0, 0}).distances_m(circle, second_round)).value;
   const bool usable = printed > as_good_as_zero;
-  return assessed(
-      "5.2-pseudo-inverse", "footnote 1, Section 5.2; below Figure 5.8",
-      "Where Q_r has not full rank (l = 0) the pseudo-inverse can be used in (5.8); off the axle Q_r has "
-      "full rank",
-      {.printed = "(Q_r' Q_r)^-1 Q_r'",
-       .measured = fmt::format("l = 0: det(Q_r' Q_r) = {:.1e}; l = {} m: det(Q_r) = {:.3f} m. With l = 0 and "
-                               "Moore and Penrose's, which exists, the vehicle never turns and is {:.1f} m "
-                               "off its path on average of the second round",
-                               printed, body.forward_m, off_axle.determinant(), mean),
-       .why = "det Q_r = l: off the axle it has full rank. On it Q_r' Q_r is singular exactly where the "
-              "formula is meant for, and the true pseudo-inverse asks for no turn"},
-      usable && mean < 0.05, !usable && off_axle.determinant() > as_good_as_zero);
+  return assessed("5.2-pseudo-inverse", "footnote 1, Section 5.2; below Figure 5.8",
+                  "Where Q_r has not full rank (l = 0) the pseudo-inverse can be used in (5.8); off the axle "
+                  "Q_r has full rank",
+                  {.printed = "(Q_r' Q_r)^-1 Q_r'",
+                   .measured = {"l = 0: det(Q_r' Q_r) = {:.1e}; l = {} m: det(Q_r) = {:.3f} m. With l = 0 "
+                                "and Moore and Penrose's, which exists, the vehicle never turns and is "
+                                "{:.1f} m off its path on average of the second round",
+                                printed, body.forward_m, off_axle.determinant(), mean},
+                   .why = "det Q_r = l: off the axle it has full rank. On it Q_r' Q_r is singular exactly "
+                          "where the formula is meant for, and the true pseudo-inverse asks for no turn"},
+                  usable && mean < 0.05, !usable && off_axle.determinant() > as_good_as_zero);
 }
 
 Vector2d wanted_velocity(double t, bool with_rate) {
@@ -157,9 +148,9 @@ Claim velocity_of_path() {
   return assessed(
       "5.2-velocity", "(5.15)", "(5.15) is the velocity of (5.14), to 1e-6 m/s",
       {.printed = "r [-sin(w k), cos(w k)]",
-       .measured = fmt::format(
-           "largest difference from differences of (5.14): printed {:.2f} m/s, ours {}; r w is {:.3f} m/s",
-           worst.printed, below(worst.ours), circle.radius_m * circle.rate_rad_s),
+       .measured =
+           {"largest difference from differences of (5.14): printed {:.2f} m/s, ours {}; r w is {:.3f} m/s",
+            worst.printed, below(worst.ours), circle.radius_m * circle.rate_rad_s},
        .why = "it lacks the factor w"},
       worst, 1e-6);
 }

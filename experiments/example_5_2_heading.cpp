@@ -3,9 +3,6 @@
 // Experiment: the vehicle of closed_loop_run.hpp with its state known and no noise, along exact arcs, from
 // (-7, 0) at 16 headings; onto the circle for 144 s, and to the point (0, 0) for 60 s. Eigenvalues of F - [G
 // L, 0] as in the runs. An eigenvalue counts as above 1 from 1 + 1e-9 on; the error as large from 1 m on.
-#include <numbers>
-
-#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/closed_loop_statistics.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
@@ -15,11 +12,10 @@ namespace incognita::section_5_2 {
 namespace {
 
 using namespace closed_loop;
-using Eigen::MatrixXd;
 
 constexpr int headings = 16;
 
-Pose start_of(int i) { return {-7, 0, wrap_angle(2 * std::numbers::pi * i / headings)}; }
+Pose start_of(int i) { return {-7, 0, wrap_angle(2 * pi * i / headings)}; }
 
 Claim initial_transient() {
   EigenvalueCount c{.limit = 1 + 1e-9, .backward_m_s = -1e-6};  // more than 1 m off, and nearer
@@ -40,12 +36,11 @@ Claim initial_transient() {
       "While the tracking error is large at first the error dynamics are not stable; once the vehicle is "
       "near its path they are",
       {.printed = "not stable, then stable",
-       .measured = fmt::format(
-           "from (-7, 0) at {} headings: an eigenvalue above 1 at {} of {} ticks more than 1 m off, at {} of "
-           "{} nearer; up to {:.4f}, for at most {:.1f} s; from {} of the headings. With the vehicle moving "
-           "forward {} times, moving backward and none above 1 {} times",
-           headings, c.away_above, c.away, c.there_above, c.there, c.largest, longest_s, headings_above,
-           c.ahead_above, c.back_below),
+       .measured = {"from (-7, 0) at {} headings: an eigenvalue above 1 at {} of {} ticks more than 1 m off, "
+                    "at {} of {} nearer; up to {:.4f}, for at most {:.1f} s; from {} of the headings. With "
+                    "the vehicle moving forward {} times, moving backward and none above 1 {} times",
+                    headings, c.away_above, c.away, c.there_above, c.there, c.largest, longest_s,
+                    headings_above, c.ahead_above, c.back_below},
        .why = "stable near the path, yes; at first it is not the size of the error that makes it unstable, "
               "but moving backward: the heading turns away from the direction of motion until the vehicle "
               "has turned around. When it starts facing the path it is always stable"},
@@ -55,7 +50,7 @@ Claim initial_transient() {
 }
 
 Claim whole_pose() {
-  const Eigen::Matrix3d F = body.step({0, 0, 0.3}, {0, 0}, period_s).F;
+  const Matrix3d F = body.step({0, 0, 0.3}, {0, 0}, period_s).F;
   const MatrixXd G = body.step({0, 0, 0.3}, {0, 0}, period_s).G;
   const SteadyGain regulator = steady_gain(F, G, MatrixXd::Identity(3, 3), MatrixXd::Identity(2, 2));
   double farthest = 0;
@@ -65,17 +60,16 @@ Claim whole_pose() {
     farthest = std::max(farthest, end.head<2>().norm());
     turned.take(end[2]);
   }
-  return assessed(
-      "5.2-whole-pose", "below Figure 5.8, with [17]",
-      "The whole pose of this vehicle cannot be stabilized (at a point, by a linear law of its "
-      "inputs); its position can, and the final heading is free",
-      {.printed = "cannot",
-       .measured = fmt::format(
-           "regulator of the pose at rest: {}. From {} headings, after 60 s: at most {:.1e} m "
-           "from the point, with headings from {:.0f} to {:.0f} deg",
-           sentence(regulator.outcome), headings, farthest, degrees(turned.least), degrees(turned.most))},
-      regulator.outcome == RegulatorOutcome::not_stabilizable && farthest < 1e-3 &&
-          turned.most - turned.least > radians(20));
+  return assessed("5.2-whole-pose", "below Figure 5.8, with [17]",
+                  "The whole pose of this vehicle cannot be stabilized (at a point, by a linear law of its "
+                  "inputs); its position can, and the final heading is free",
+                  {.printed = "cannot",
+                   .measured = {"regulator of the pose at rest: {}. From {} headings, after 60 s: at most "
+                                "{:.1e} m from the point, with headings from {:.0f} to {:.0f} deg",
+                                sentence(regulator.outcome), headings, farthest, degrees(turned.least),
+                                degrees(turned.most)}},
+                  regulator.outcome == RegulatorOutcome::not_stabilizable && farthest < 1e-3 &&
+                      turned.most - turned.least > radians(20));
 }
 
 Claim free_heading() {
@@ -91,9 +85,9 @@ Claim free_heading() {
                   "accurately after a transient: within 1 cm in the second round from every heading, and the "
                   "heading becomes the path's (the same from all, to 1e-6 rad)",
                   {.printed = "accurately",
-                   .measured = fmt::format("from {} headings at most {:.1f} mm off in the second round; "
-                                           "headings at the end differ, in rad, {}",
-                                           headings, 1000 * worst, below(spread))},
+                   .measured = {"from {} headings at most {:.1f} mm off in the second round; headings at the "
+                                "end differ, in rad, {}",
+                                headings, 1000 * worst, below(spread)}},
                   worst < 0.01 && spread < 1e-6);
 }
 

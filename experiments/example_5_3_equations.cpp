@@ -4,27 +4,18 @@
 // two rounds; the filter beside (5.18) and (5.19) written out, 30 s of seed 1; the linearized team, 6 states
 // of the robots and 32 of the landmarks, all of which both see, at the last instant of seed 1: the plant at
 // the truth, the filter at the truth or at its estimate. Holds: identities to 1e-9, eigenvalues to 1e-6.
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
 #include "experiments/common.hpp"
 #include "experiments/example_5_1.hpp"
 #include "experiments/example_5_2.hpp"
 #include "experiments/example_5_3.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
 #include "incognita/control/feedback_linearization.hpp"
-#include "incognita/math/random.hpp"
 #include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita::section_5_3 {
 namespace {
 
 using namespace closed_loop;
-using Eigen::Index;
-using Eigen::Matrix2d;
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
 
 constexpr double as_good_as_zero = 1e-9;
 const Matrix2d K = section_5_2::gain_per_s * Matrix2d::Identity();
@@ -49,9 +40,9 @@ Claim law() {
   return assessed("5.3-law", "(5.21)",
                   "The control law takes each robot to its path: within 1 cm in the second round",
                   {.printed = "u = Q_r^-1 (y*_(k+1) - Q2 (y* - y))",
-                   .measured = fmt::format("mean error of the second round, y*_(k+1) taken as the path's "
-                                           "velocity: printed {:.1f} m, ours {:.1e} m",
-                                           worst.printed, worst.ours),
+                   .measured = {"mean error of the second round, y*_(k+1) taken as the path's velocity: "
+                                "printed {:.1f} m, ours {:.1e} m",
+                                worst.printed, worst.ours},
                    .why = "the error has the other sign, y - y*: as printed it drives away from the path"},
                   worst, 0.01);
 }
@@ -76,8 +67,8 @@ Claim closed_loop_equation() {
   return assessed("5.3-closed-loop", "(5.20), (5.22)",
                   "Motion of a robot under the law with plant noise v: against (3.16), to 1e-9 m",
                   {.printed = "y_(k+1) = y*_(k+1) - Q2 (y_k - y*_k) + Q_r v_k",
-                   .measured = fmt::format("largest difference at {} poses: printed {:.2f} m, ours, in m, {}",
-                                           places, worst.printed, below(worst.ours)),
+                   .measured = {"largest difference at {} poses: printed {:.2f} m, ours, in m, {}", places,
+                                worst.printed, below(worst.ours)},
                    .why = "y_(k+1) = y_k + dt (ydot* - Q2 (y_k - y*_k) + Q_r v_k), as (5.20) is the velocity "
                           "and not the next position; y in Q2 (y - y*) is the estimate",
                    .runs = places},
@@ -102,16 +93,16 @@ Claim error_recursion() {
     worst.take((A * x_hat + noise - x_hat_next).norm() / x_hat_next.norm(),
                (A * (x - x_hat) + noise - error_next).norm() / error_next.norm());
   }
-  return assessed(
-      "5.3-error", "(5.23)", "(F - K H F) x + (G - K H G) v - K w is how the estimate moves on, to 1e-9",
-      {.printed = "x_(k+1|k+1), x_(k|k)",
-       .measured = fmt::format(
-           "largest relative difference of {} random linear systems: of the estimate {:.1f}, of its error {}",
-           loops, worst.printed, below(worst.ours)),
-       .why = "of the error of the estimate, with the noise of the measurement after the step; the text "
-              "above it says error, too",
-       .runs = loops},
-      worst, as_good_as_zero);
+  return assessed("5.3-error", "(5.23)",
+                  "(F - K H F) x + (G - K H G) v - K w is how the estimate moves on, to 1e-9",
+                  {.printed = "x_(k+1|k+1), x_(k|k)",
+                   .measured = {"largest relative difference of {} random linear systems: of the estimate "
+                                "{:.1f}, of its error {}",
+                                loops, worst.printed, below(worst.ours)},
+                   .why = "of the error of the estimate, with the noise of the measurement after the step; "
+                          "the text above it says error, too",
+                   .runs = loops},
+                  worst, as_good_as_zero);
 }
 
 /// Poses of the robots and positions of the landmarks: where a team is linearized.
@@ -201,21 +192,20 @@ std::vector<Claim> separable() {
           "Estimation and control of the team are separable: the eigenvalues of the closed loop, linearized, "
           "are those of F - G L together with those of F - K H F, to 1e-6, the filter at its estimate",
           {.printed = "separable",
-           .measured =
-               fmt::format("{} states of plant and filter: distance of the eigenvalues {} where the filter "
-                           "is linearized where the plant is, {:.1e} where it is linearized at its estimate; "
-                           "coupling of the state into the error: {} and {:.1e} of the whole",
-                           same.whole.eigenvalues.size(), below(same.spectral_distance),
-                           apart.spectral_distance, below(same.coupling), apart.coupling),
+           .measured = {"{} states of plant and filter: distance of the eigenvalues {} where the filter is "
+                        "linearized where the plant is, {:.1e} where it is linearized at its estimate; "
+                        "coupling of the state into the error: {} and {:.1e} of the whole",
+                        same.whole.eigenvalues.size(), below(same.spectral_distance), apart.spectral_distance,
+                        below(same.coupling), apart.coupling},
            .why = "as far as the Jacobians of the filter are those of the plant; taken at the estimate they "
                   "are not quite"},
           apart.holds && apart.coupling <= as_good_as_zero, same.holds && same.coupling <= as_good_as_zero),
       assessed("5.3-eigenvalues", "below (5.23)",
                "The eigenvalues of the feedback dynamics are among those of the closed loop, to 1e-6",
                {.printed = "those of Q_r(y_k)",
-                .measured = fmt::format("farthest from any eigenvalue of the loop: of Q_r {:.3f}, of I - Q2 "
-                                        "dt {}; |eigenvalues| of Q_r {:.3f}, whatever Q2 is",
-                                        of_Q_r, below(of_control), stability_of(Q_r).spectral_radius),
+                .measured = {"farthest from any eigenvalue of the loop: of Q_r {:.3f}, of I - Q2 dt {}; "
+                             "|eigenvalues| of Q_r {:.3f}, whatever Q2 is",
+                             of_Q_r, below(of_control), stability_of(Q_r).spectral_radius},
                 .why = "of I - Q2 dt for the positions, of F - G L with the headings; Q_r is how inputs move "
                        "the control point, and its eigenvalues are not those of the feedback"},
                of_Q_r <= 1e-6, of_control <= 1e-6)};
@@ -224,7 +214,7 @@ std::vector<Claim> separable() {
 }  // namespace
 
 std::vector<Claim> equation_claims() {
-  return concatenated({{law(), closed_loop_equation(), error_recursion()}, separable()});
+  return concatenated({law(), closed_loop_equation(), error_recursion(), separable()});
 }
 
 }  // namespace incognita::section_5_3

@@ -5,15 +5,10 @@
 // Newton, started from the truth and from (5.18), the better of the two. Ranks: measurements of all landmarks
 // every 2 s along the true path of seed 1, of the regulator, round the circle, and of the team; singular
 // values above 1e-9 of the largest count, with a gap of 1000 to the next.
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-#include <numbers>
-
 #include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
 #include "experiments/example_5_3.hpp"
 #include "incognita/analysis/observability/linear_system.hpp"
-#include "incognita/math/random.hpp"
 #include "incognita/models/motion/planar_frame.hpp"
 #include "incognita/models/sensors/range_bearing.hpp"
 
@@ -21,12 +16,6 @@ namespace incognita::section_5_3 {
 namespace {
 
 using namespace closed_loop;
-using Eigen::Index;
-using Eigen::Matrix3d;
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-using Eigen::VectorXd;
 
 /// A pose with a prior, and measurements of known landmarks.
 struct Problem {
@@ -131,11 +120,11 @@ Claim optimal_estimate() {
       "(5.18) is the optimal estimate in the sense of least squares: no other pose has a lower sum, to 1e-6; "
       "(5.19) is its covariance to first order, the same as (A.2.7), to 1e-9",
       {.printed = "optimal",
-       .measured = fmt::format(
-           "sum of squares in excess of the least, median and largest of {}: {:.2g} and {:.2g} from poses "
-           "known to 0.5 m and 20 deg, {:.1e} and {:.1e} to 0.05 m and 0.5 deg; (5.19) from (A.2.7) {}",
-           problems, vague.median, vague.largest, usual.median, usual.largest,
-           below(std::max(vague.covariance, usual.covariance))),
+       .measured =
+           {"sum of squares in excess of the least, median and largest of {}: {:.2g} and {:.2g} from poses "
+            "known to 0.5 m and 20 deg, {:.1e} and {:.1e} to 0.05 m and 0.5 deg; (5.19) from (A.2.7) {}",
+            problems, vague.median, vague.largest, usual.median, usual.largest,
+            below(std::max(vague.covariance, usual.covariance))},
        .why = "to first order: of linear measurements exactly, of ranges and bearings the better the less "
               "they bend within what is not known. The least squares take iterations",
        .runs = problems},
@@ -160,7 +149,7 @@ Unseen unseen(const Setup& setup, int anchors) {
       for (const auto& [identity, point] : setup.place) {
         const auto i = static_cast<std::size_t>(r);
         const Pose &first = run.instants[0].robots[i].truth, &now = run.instants[k].robots[i].truth;
-        const auto prediction = RangeBearing::predict_measurement(now, Eigen::Vector2d(point));
+        const auto prediction = RangeBearing::predict_measurement(now, Vector2d(point));
         MatrixXd H = MatrixXd::Zero(2, n);
         H.middleCols<3>(3 * r) = prediction->Hv * planar::jacobian_between(first, now);
         if (identity >= anchors) H.middleCols<2>(3 * robots + 2 * (identity - anchors)) = prediction->Hl;
@@ -175,7 +164,7 @@ Unseen unseen(const Setup& setup, int anchors) {
 Claim observability() {
   const Setup to_goal{.robots = {robot({-7, 0, 0}, ControlLaw::lqg, PointPath{{10, 10, 0}})},
                       .duration_s = 80},
-      round{.robots = {section_5_2::robot({-7, 0, std::numbers::pi}, section_5_2::circle)}, .duration_s = 80};
+      round{.robots = {section_5_2::robot({-7, 0, pi}, section_5_2::circle)}, .duration_s = 80};
   Cases none_gained;
   bool all_with_two = true;
   for (const auto& [name, setup] : {std::pair("regulator", to_goal), std::pair("circle", round),

@@ -4,9 +4,6 @@
 // Jacobians. The caption says one vehicle, the text two; here there are two. No trace may rise by more than
 // 1e-9 of itself; it settles when it is within a quarter of the least (example_5_3.hpp) after 80 s, and not
 // below it, to 1 %, at any time.
-#include <Eigen/LU>
-#include <numbers>
-
 #include "experiments/closed_loop_statistics.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
@@ -17,10 +14,9 @@ namespace incognita::section_5_3 {
 namespace {
 
 using namespace closed_loop;
-using Eigen::Matrix3d;
 
 /// How a point moves with the frame, by a shift and a turn about the origin.
-Eigen::Matrix<double, 2, 3> by_frame(const Eigen::Vector2d& p) {
+Eigen::Matrix<double, 2, 3> by_frame(const Vector2d& p) {
   Eigen::Matrix<double, 2, 3> J;
   J << 1, 0, -p.y(), 0, 1, p.x();
   return J;
@@ -30,8 +26,8 @@ Eigen::Matrix<double, 2, 3> by_frame(const Eigen::Vector2d& p) {
 /// first pose. Backward from the end, along the path without noise.
 Matrix3d information_of_start(const Setup& setup, const Robot& robot) {
   const section_5_2::Way way = section_5_2::follow(robot.steering.path, robot.start, setup.duration_s);
-  const Eigen::Matrix2d Q = input_sigmas.cwiseAbs2().asDiagonal();
-  const Eigen::Vector2d weight = measurement_sigmas.cwiseAbs2().cwiseInverse();
+  const Matrix2d Q = input_sigmas.cwiseAbs2().asDiagonal();
+  const Vector2d weight = measurement_sigmas.cwiseAbs2().cwiseInverse();
   Matrix3d Y = Matrix3d::Zero();
   for (std::size_t k = way.poses.size(); k-- > 0;) {
     const planar::Step step = body.step(way.poses[k], way.inputs[k], period_s);
@@ -40,8 +36,8 @@ Matrix3d information_of_start(const Setup& setup, const Robot& robot) {
     Y = step.F.transpose() * kept * step.F;
     if (k % ticks_per_scan != 0) continue;
     for (const auto& [identity, point] : setup.place) {
-      const auto prediction = RangeBearing::predict_measurement(way.poses[k], Eigen::Vector2d(point));
-      if (std::abs(prediction->z[1]) <= std::numbers::pi / 2)
+      const auto prediction = RangeBearing::predict_measurement(way.poses[k], Vector2d(point));
+      if (std::abs(prediction->z[1]) <= pi / 2)
         Y += prediction->Hv.transpose() * weight.asDiagonal() * prediction->Hv;
     }
   }
@@ -61,14 +57,14 @@ double largest_rise(const Run& run) {
 
 Claim never_rise(const Runs& runs) {
   const double rise = quantile(each(runs, largest_rise), 1);
-  return assessed("5.3-traces-fall", "Figure 5.11",
-                  "All landmark localization uncertainties decrease as the algorithm proceeds: no trace ever "
-                  "rises, to 1e-9 of itself",
-                  {.printed = "decrease",
-                   .measured = fmt::format(
-                       "largest relative rise of any landmark at any tick of any seed: {}", below(rise)),
-                   .runs = runs.size()},
-                  rise <= 1e-9);
+  return assessed(
+      "5.3-traces-fall", "Figure 5.11",
+      "All landmark localization uncertainties decrease as the algorithm proceeds: no trace ever rises, to "
+      "1e-9 of itself",
+      {.printed = "decrease",
+       .measured = {"largest relative rise of any landmark at any tick of any seed: {}", below(rise)},
+       .runs = runs.size()},
+      rise <= 1e-9);
 }
 
 /// Last traces over the least, by landmark.
@@ -107,20 +103,19 @@ Claim settle(const ExperimentSettings& settings, const Runs& runs) {
   };
   const Settled usual(runs, least), ekf = longer(Linearization::analytic, "analytic"),
                                     first = longer(Linearization::first_estimate, "first-estimate");
-  return assessed(
-      "5.3-traces-settle", "Figure 5.11, below (5.23)",
-      "The landmarks' traces reach an asymptotic minimum, the least that the starts leave open: "
-      "they come within a quarter of it in 80 s and never fall below it",
-      {.printed = "asymptotic minimum",
-       .measured = fmt::format("least {:.4f} to {:.4f} m^2 by landmark. After 80 s {}; after 400 "
-                               "s, {} seeds, {}; with first-estimate Jacobians {}",
-                               *low, *high, usual.text(), few(settings).seeds, ekf.text(), first.text()),
-       .why = "so it is within the time of the figure, but the EKF falls below what is "
-              "observable: its Jacobians at changing estimates add spurious information about "
-              "the frame. With first-estimate Jacobians the minimum is reached",
-       .seeds = few(settings).seeds},
-      usual.highest < 1.25 && usual.stays_above() && ekf.stays_above(),
-      usual.highest < 1.25 && usual.stays_above() && first.stays_above());
+  return assessed("5.3-traces-settle", "Figure 5.11, below (5.23)",
+                  "The landmarks' traces reach an asymptotic minimum, the least that the starts leave open: "
+                  "they come within a quarter of it in 80 s and never fall below it",
+                  {.printed = "asymptotic minimum",
+                   .measured = {"least {:.4f} to {:.4f} m^2 by landmark. After 80 s {}; after 400 s, {} "
+                                "seeds, {}; with first-estimate Jacobians {}",
+                                *low, *high, usual.text(), few(settings).seeds, ekf.text(), first.text()},
+                   .why = "so it is within the time of the figure, but the EKF falls below what is "
+                          "observable: its Jacobians at changing estimates add spurious information about "
+                          "the frame. With first-estimate Jacobians the minimum is reached",
+                   .seeds = few(settings).seeds},
+                  usual.highest < 1.25 && usual.stays_above() && ekf.stays_above(),
+                  usual.highest < 1.25 && usual.stays_above() && first.stays_above());
 }
 
 }  // namespace
@@ -136,7 +131,7 @@ std::vector<double> least_traces(const Setup& setup) {
   const Matrix3d frame = of_frame.inverse();
   std::vector<double> traces;
   for (const auto& [identity, point] : setup.place) {
-    const Eigen::Matrix<double, 2, 3> J = by_frame(Eigen::Vector2d(point));
+    const Eigen::Matrix<double, 2, 3> J = by_frame(Vector2d(point));
     traces.push_back((J * frame * J.transpose()).trace());
   }
   return traces;

@@ -33,10 +33,10 @@ LedgerEntry run(const ExperimentSettings& settings) {
   const auto loop = camera::loop_claims(settings, example);
   report("other paths");
   const auto compared = camera::compare_paths(settings, example);
-  return entry_of(example_5_4, settings,
-                  concatenated({camera::model_claims(), camera::law_claims(settings), loop,
-                                camera::path_claims(settings, compared)}),
-                  camera::figures(compared));
+  return entry_of(
+      example_5_4, settings,
+      {camera::model_claims(), camera::law_claims(settings), loop, camera::path_claims(settings, compared)},
+      camera::figures(compared));
 }
 
 }  // namespace

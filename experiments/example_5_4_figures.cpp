@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "experiments/chapter_5_curves.hpp"
+#include "experiments/curves.hpp"
 #include "experiments/example_5_4.hpp"
 #include "incognita/math/angles.hpp"
 
@@ -45,12 +45,9 @@ Plot wanted_path() {
   return {"fig-5.12",
           "Back and forth around a circle of 1.5 m, (5.28)",
           2,
-          {above,
-           {"(b) angle on the circle",
-            "t, s",
-            "degrees",
-            {curve_of("-2 w k/pi", Style::dashed, Color::gray, round, std::identity{}, mean),
-             curve_of("p", Style::line, Color::blue, round, std::identity{}, angle)}}}};
+          {above, time_panel("(b) angle on the circle", "degrees",
+                             {curve_of("-2 w k/pi", Style::dashed, Color::gray, round, std::identity{}, mean),
+                              curve_of("p", Style::line, Color::blue, round, std::identity{}, angle)})}};
 }
 
 /// Seen along an axis: which coordinates are drawn to the right and up.
@@ -80,7 +77,7 @@ Panel seen(const Course& course, const View& v) {
 /// of(instant, axis) of the three axes.
 template <class Of>
 Panel by_axis(const Course& course, const char* title, const char* label, const Of& of) {
-  Panel panel{title, "t, s", label, {}};
+  Panel panel = time_panel(title, label);
   const Color colors[] = {Color::blue, Color::orange, Color::green};
   const char* names[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k)
@@ -101,11 +98,9 @@ Plot loop(const Course& course) {
                    [](const Instant& i, int k) { return i.command[3 + k]; }),
            by_axis(course, "(c) desired less estimated position", "m",
                    [](const Instant& i, int k) { return i.reference.position[k] - i.mean[k]; }),
-           {"(c) distance from the path",
-            "t, s",
-            "m",
-            {over_time("true", course, Color::green, &Instant::truly_off_m),
-             over_time("estimated", course, Color::orange, &Instant::estimated_off_m)}}}};
+           time_panel("(c) distance from the path", "m",
+                      {over_time("true", course, Color::green, &Instant::truly_off_m),
+                       over_time("estimated", course, Color::orange, &Instant::estimated_off_m)})}};
 }
 
 Plot errors(const std::string& id, const std::string& title, const Course& course) {
@@ -113,13 +108,11 @@ Plot errors(const std::string& id, const std::string& title, const Course& cours
   const char* names[] = {"x", "y", "z", "pitch", "yaw", "roll"};
   for (int k = 0; k < 6; ++k) {
     const double unit = k < 3 ? 1 : degrees(1);
-    plot.panels.push_back(
-        {names[k],
-         "t, s",
-         k < 3 ? "m" : "degrees",
-         {band_of("2σ", Color::sky, course.instants, &Instant::t,
-                  [&](const Instant& i) { return -2 * unit * i.sigma[k]; }),
-          over_time("error", course, Color::orange, [&](const Instant& i) { return unit * i.error[k]; })}});
+    plot.panels.push_back(time_panel(
+        names[k], k < 3 ? "m" : "degrees",
+        {band_of("2σ", Color::sky, course.instants, &Instant::t,
+                 [&](const Instant& i) { return -2 * unit * i.sigma[k]; }),
+         over_time("error", course, Color::orange, [&](const Instant& i) { return unit * i.error[k]; })}));
   }
   return plot;
 }
@@ -137,13 +130,11 @@ Curve over_runs(const std::string& label, const std::vector<Summary>& runs,
 
 Plot paths(const Compared& c) {
   const auto panel = [&](const char* title, std::vector<double> Summary::*what) -> Panel {
-    return {title,
-            "t, s",
-            "m",
-            {over_runs("back and forth", c.example, what, Color::blue),
-             over_runs("never back", c.surges, what, Color::orange),
-             over_runs("steady", c.steady, what, Color::pink),
-             over_runs("in place", c.swings, what, Color::green)}};
+    return time_panel(title, "m",
+                      {over_runs("back and forth", c.example, what, Color::blue),
+                       over_runs("never back", c.surges, what, Color::orange),
+                       over_runs("steady", c.steady, what, Color::pink),
+                       over_runs("in place", c.swings, what, Color::green)});
   };
   return {"fig-5.14-paths",
           "Around the same circle, rms over runs",
@@ -174,12 +165,9 @@ Plot laws() {
   return {"fig-5.13-laws",
           "(5.29) as printed and corrected",
           2,
-          {above,
-           {"(b) gaze, disturbed",
-            "t, s",
-            "degrees off",
-            {drift("rates alone, printed", Law::rate_alone, Color::orange),
-             drift("with the orientation", Law::corrected, Color::blue)}}}};
+          {above, time_panel("(b) gaze, disturbed", "degrees off",
+                             {drift("rates alone, printed", Law::rate_alone, Color::orange),
+                              drift("with the orientation", Law::corrected, Color::blue)})}};
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // Example 5.4, (5.28) and (5.29): the path as it is printed, and the law for a camera with known state.
-#include <numbers>
 
-#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_4.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
@@ -11,9 +9,7 @@
 namespace incognita::swinging_camera {
 namespace {
 
-using Eigen::Vector3d;
 using State = FreeCameraMotion::State<double>;
-constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
 
 // The path --------------------------------------------------------------------------------------------
@@ -33,8 +29,8 @@ Claim amplitude() {
       "5.4-amplitude", "(5.28), caption of Figure 5.12",
       "The camera turns about the vertical at the constant rate w_y* of (5.28), to 1 %",
       {.printed = "w* = [0, w_y*, 0]', 15 degrees/s",
-       .measured = fmt::format("from {:.1f} to {:.1f} degrees/s, {:.1f} on average over pi s",
-                               rate.least / degree, rate.most / degree, (angle(pi) - angle(0)) / pi / degree),
+       .measured = {"from {:.1f} to {:.1f} degrees/s, {:.1f} on average over pi s", rate.least / degree,
+                    rate.most / degree, (angle(pi) - angle(0)) / pi / degree},
        .why = "w_y* is the amplitude of an angle: the rate is w_y* (2 cos 2k - 2/pi)"},
       std::abs(rate.least / w - 1) < 0.01 && std::abs(rate.most / w - 1) < 0.01, ours);
 }
@@ -47,10 +43,9 @@ Claim returns() {
       "5.4-returns", "below (5.27), (5.28)",
       "The path returns periodically: after its period of pi seconds the camera is where it was, to 1 cm",
       {.printed = "returns periodically",
-       .measured =
-           fmt::format("after pi s {:.2f} m off: it swings {:.1f} degrees forth and {:.1f} back. It is where "
-                       "it was after 12 pi = {:.1f} s, all around ({})",
-                       back, forward / degree, (forward - angle(pi)) / degree, 12 * pi, below(around)),
+       .measured = {"after pi s {:.2f} m off: it swings {:.1f} degrees forth and {:.1f} back. It is where it "
+                    "was after 12 pi = {:.1f} s, all around ({})",
+                    back, forward / degree, (forward - angle(pi)) / degree, 12 * pi, below(around)},
        .why = "the term -2k/pi carries it on by twice the amplitude each period: it goes back and forth "
               "along the circle, and returns after 12 pi s"},
       back < 0.01, around < 1e-9);
@@ -69,13 +64,12 @@ Claim derivatives() {
     const double x_camera = std::cos(p) * -x + std::sin(p) * -z;  // of the center, (5.26)
     gaze = std::max(gaze, std::abs(x_camera));
   }
-  return assessed(
-      "5.4-derivative", "(5.28)",
-      "Differentiating y* by time gives the wanted velocities (to 1e-8), and the camera looks at the "
-      "circle's center (to 1e-9 m)",
-      {.measured = fmt::format("against central differences {}; the center from the optical axis, {} m",
-                               below(worst), below(gaze))},
-      worst < 1e-8 && gaze < 1e-9);
+  return assessed("5.4-derivative", "(5.28)",
+                  "Differentiating y* by time gives the wanted velocities (to 1e-8), and the camera looks at "
+                  "the circle's center (to 1e-9 m)",
+                  {.measured = {"against central differences {}; the center from the optical axis, {} m",
+                                below(worst), below(gaze)}},
+                  worst < 1e-8 && gaze < 1e-9);
 }
 
 // The law ---------------------------------------------------------------------------------------------
@@ -114,9 +108,9 @@ Claim velocity_term() {
       "5.4-velocity", "(5.29), first row",
       "The law brings a camera with known state to the path: within 0.05 m from 20 s on",
       {.printed = "f = -Q_2v (v - y*) - Q_2p (p - y*)",
-       .measured = fmt::format("farthest from the path of 1.5 m radius: printed {:.2f} m; with v - v* {:.2f} "
-                               "m; with the path's acceleration as well {:.3f} m (commands held for 50 ms)",
-                               printed, mended, ours),
+       .measured = {"farthest from the path of 1.5 m radius: printed {:.2f} m; with v - v* {:.2f} m; with "
+                    "the path's acceleration as well {:.3f} m (commands held for 50 ms)",
+                    printed, mended, ours},
        .why = "v - v*: with the position in its place the camera circles at (Q_2v + Q_2p)/Q_2p times the "
               "radius. The path's acceleration is needed too, as alpha* in the second row"},
       Worst{printed, ours}, 0.05);
@@ -150,9 +144,8 @@ Claim orientation_term(const ExperimentSettings& settings) {
       "The law holds the gaze of a camera with known state that is disturbed by 0.3 rad/s^2: rms over runs "
       "after 40 s below 1.5 times that after 10 s",
       {.printed = "alpha = alpha* - Q_2w (w - w*)",
-       .measured = fmt::format(
-           "degrees after 10 and 40 s: printed {} and {}; with the orientation fed back {} and {}",
-           text(printed.early), text(printed.late), text(ours.early), text(ours.late)),
+       .measured = {"degrees after 10 and 40 s: printed {} and {}; with the orientation fed back {} and {}",
+                    text(printed.early), text(printed.late), text(ours.early), text(ours.late)},
        .why = "it has no feedback of the orientation, so that disturbances of the gaze accumulate; a term of "
               "the orientation error is needed",
        .seeds = seeds},
@@ -175,7 +168,7 @@ Claim regulates() {
   return assessed("5.4-regulates", "below (5.29)",
                   "The law can regulate the system to a certain position: from 0.37 m and 17 degrees off to "
                   "1e-6 m and rad",
-                  {.measured = fmt::format("after 40 s {} m and {} rad", below(off), below(gaze))},
+                  {.measured = {"after 40 s {} m and {} rad", below(off), below(gaze)}},
                   off < 1e-6 && gaze < 1e-6);
 }
 
@@ -186,25 +179,24 @@ Claim asymptotic() {
     const Setup s{.rate_hz = rate};
     periods.push_back(1 / rate);
     left.push_back(farthest_m(s, steered_from(pushed(s), s, 0, 1)));
-    cases.add({fmt::format("{:.1f} mm at {:.0f} Hz", 1e3 * left.back(), rate), left.back() < 1e-6});
+    cases.add({{"{:.1f} mm at {:.0f} Hz", 1e3 * left.back(), rate}, left.back() < 1e-6});
   }
   const double exponent = exponent_of(periods, left);
-  return assessed(
-      "5.4-asymptotic", "Sections 5.2.2 and 5.3",
-      "The law guarantees asymptotic stability along the path: without noise the tracking error goes to zero "
-      "(below 1e-6 m after 20 s)",
-      {.printed = "asymptotic stability",
-       .measured = fmt::format("largest from 20 s on: {}; as period^{:.1f}", cases.text(), exponent),
-       .why = "in continuous time. The path advances while a command is held: the remaining error is "
-              "proportional to the hold time"},
-      cases.hold(), exponent > 0.8 && left.back() < 0.005);
+  return assessed("5.4-asymptotic", "Sections 5.2.2 and 5.3",
+                  "The law guarantees asymptotic stability along the path: without noise the tracking error "
+                  "goes to zero (below 1e-6 m after 20 s)",
+                  {.printed = "asymptotic stability",
+                   .measured = {"largest from 20 s on: {}; as period^{:.1f}", cases.text(), exponent},
+                   .why = "in continuous time. The path advances while a command is held: the remaining "
+                          "error is proportional to the hold time"},
+                  cases.hold(), exponent > 0.8 && left.back() < 0.005);
 }
 
 /// Of one axis with its command held: position and velocity.
 double spectral_radius(double gain_position, double gain_velocity, double dt) {
-  Eigen::Matrix2d F;
+  Matrix2d F;
   F << 1, dt, 0, 1;
-  return is_stabilizing(F, Eigen::Vector2d(dt * dt / 2, dt), Eigen::RowVector2d(gain_position, gain_velocity))
+  return is_stabilizing(F, Vector2d(dt * dt / 2, dt), Eigen::RowVector2d(gain_position, gain_velocity))
       .spectral_radius;
 }
 
@@ -221,9 +213,9 @@ Claim any_psd_gain() {
       "5.4-psd", "below (5.29)",
       "Any positive semi-definite gains stabilize an axis whose command is held: spectral radius below 1",
       {.printed = "psd constant matrices",
-       .measured = fmt::format("Q_2p = 6, Q_2v = 5 at 20 Hz: {:.3f}; Q_2p = 0: {:.3f}; Q_2p = 6, Q_2v = 5 "
-                               "held for longer than {:.2f} s: above 1",
-                               as_run, semidefinite, stable),
+       .measured = {"Q_2p = 6, Q_2v = 5 at 20 Hz: {:.3f}; Q_2p = 0: {:.3f}; Q_2p = 6, Q_2v = 5 held for "
+                    "longer than {:.2f} s: above 1",
+                    as_run, semidefinite, stable},
        .why = "both must be positive definite, and small for the time that a command is held"},
       semidefinite < 1 && unstable > 9, as_run < 1 && semidefinite >= 1 - 1e-12 && stable > 0.05);
 }
@@ -235,8 +227,8 @@ std::vector<State> steered(const Setup& s, double sigma_disturbance, std::uint64
 }
 
 std::vector<Claim> law_claims(const ExperimentSettings& settings) {
-  return {amplitude(), returns(),    derivatives(), velocity_term(), orientation_term(settings),
-          regulates(), asymptotic(), any_psd_gain()};
+  return concatenated({amplitude(), returns(), derivatives(), velocity_term(), orientation_term(settings),
+                       regulates(), asymptotic(), any_psd_gain()});
 }
 
 }  // namespace incognita::swinging_camera

@@ -2,7 +2,6 @@
 // each other.
 #include "experiments/common.hpp"
 #include "experiments/example_5_4.hpp"
-#include "incognita/math/random.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/world/plant.hpp"
 
@@ -10,7 +9,6 @@ namespace incognita::swinging_camera {
 namespace {
 
 using Eigen::Matrix4d;
-using Eigen::Vector3d;
 using Eigen::Vector4d;
 using State = FreeCameraMotion::State<double>;
 using Input = FreeCameraMotion::Input<double>;
@@ -67,16 +65,16 @@ Claim quaternion_step() {
     worst.take(off(turned(2)), off(turned(1)));
     longer = std::max(longer, turned(2).norm() - 1);
   }
-  return assessed("5.4-quaternion", "(5.25)", "P q is the orientation after dt at the rate w, to 1e-9 rad",
-                  {.printed = "cos(dt |W|/2) I + 2/|W| sin(dt |W|/2) W_x",
-                   .measured = fmt::format(
-                       "against the motion integrated over 50 ms at {} rates up to 1 rad/s an axis: printed "
-                       "off by up to {:.2g} rad, and its quaternion longer than 1 by {:.2g}; with 1/|W| {}",
-                       places, worst.printed, longer, below(worst.ours)),
-                   .why = "1/|W|, W_x being the matrix of the product with (0, w): with the 2 the rotation "
-                          "is about twice as large",
-                   .runs = places},
-                  worst, 1e-9);
+  return assessed(
+      "5.4-quaternion", "(5.25)", "P q is the orientation after dt at the rate w, to 1e-9 rad",
+      {.printed = "cos(dt |W|/2) I + 2/|W| sin(dt |W|/2) W_x",
+       .measured = {"against the motion integrated over 50 ms at {} rates up to 1 rad/s an axis: printed off "
+                    "by up to {:.2g} rad, and its quaternion longer than 1 by {:.2g}; with 1/|W| {}",
+                    places, worst.printed, longer, below(worst.ours)},
+       .why = "1/|W|, W_x being the matrix of the product with (0, w): with the 2 the rotation is about "
+              "twice as large",
+       .runs = places},
+      worst, 1e-9);
 }
 
 Claim sampled_motion() {
@@ -99,11 +97,10 @@ Claim sampled_motion() {
   return assessed(
       "5.4-sampled", "(5.24)", "Where the camera is after accelerations were held for dt, to 1e-9 m",
       {.printed = "p + (v + f dt) dt",
-       .measured =
-           fmt::format("against the motion integrated over 50 ms with up to 3 m/s^2 and 3 rad/s^2 an axis: "
-                       "printed off by up to {:.1f} mm, p + v dt + f dt^2/2 {}; the orientation by {:.1f} "
-                       "mrad with the old rate, as printed, and by {:.1f} with the new one",
-                       1e3 * worst.printed, below(worst.ours), 1e3 * old_rate, 1e3 * new_rate),
+       .measured = {"against the motion integrated over 50 ms with up to 3 m/s^2 and 3 rad/s^2 an axis: "
+                    "printed off by up to {:.1f} mm, p + v dt + f dt^2/2 {}; the orientation by {:.1f} mrad "
+                    "with the old rate, as printed, and by {:.1f} with the new one",
+                    1e3 * worst.printed, below(worst.ours), 1e3 * old_rate, 1e3 * new_rate},
        .why = "the velocity changes during the tick: half of f dt^2. (5.24) is right for an impulse at its "
               "start",
        .runs = places},
@@ -128,9 +125,9 @@ Claim linear_input() {
       "5.4-linear", "below (5.28)",
       "(5.24) is linear in the input: what f adds to the camera's position in a tick, to 1e-12 m",
       {.printed = "Q_r = I, so that u is the new input itself",
-       .measured = fmt::format("{} states and inputs, 50 ms: with I off by {:.1f} m, with dt^2 I {}. The "
-                               "orientation is not linear: superposition fails by up to {:.1g} in q",
-                               places, worst.printed, below(worst.ours), turned),
+       .measured = {"{} states and inputs, 50 ms: with I off by {:.1f} m, with dt^2 I {}. The orientation is "
+                    "not linear: superposition fails by up to {:.1g} in q",
+                    places, worst.printed, below(worst.ours), turned},
        .why =
            "Q_r = dt^2 I; f reaches the position through the velocity, which is why (5.29) needs two gains",
        .runs = places},
@@ -138,7 +135,7 @@ Claim linear_input() {
 }
 
 /// (5.26) and (5.27) as printed.
-Eigen::Vector2d printed_pixel(const WideAngleCamera& c, const Vector3d& at, double K_d) {
+Vector2d printed_pixel(const WideAngleCamera& c, const Vector3d& at, double K_d) {
   const double uc = c.fu * at.x() / at.z(), vc = c.fv * at.y() / at.z();
   const double d = 1 + K_d * (uc * uc + vc * vc);
   return {c.u0 - uc / std::sqrt(d), c.v0 - vc / std::sqrt(d)};
@@ -152,7 +149,7 @@ Claim lens_signs() {
   double half = 0;
   for (int i = 0; i < places;) {
     const Vector3d at(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(0.5, 5));
-    const Eigen::Vector2d z = davison.h<double>(at);
+    const Vector2d z = davison.h<double>(at);
     if (!lens().contains(z)) continue;
     ++i;
     const Vector3d left_up(-at.x(), -at.y(), at.z());
@@ -160,29 +157,29 @@ Claim lens_signs() {
                (printed_pixel(davison, left_up, 2 * davison.kd1) - z).norm());
     half = std::max(half, (printed_pixel(davison, left_up, davison.kd1) - z).norm());
   }
-  return assessed("5.4-lens", "(5.26), (5.27)",
-                  "Pixel of a point in camera axes (z ahead, x to the right, y down), to 1e-9 pixels",
-                  {.printed = "u0 - u_c/sqrt(d), d = 1 + K_d (u_c^2 + v_c^2)",
-                   .measured = fmt::format(
-                       "{} points in view of Davison's lens: printed off by up to {:.0f} pixels, {} with x "
-                       "to the left and y up. With the published kd1 taken for K_d, by {:.1f} pixels",
-                       places, worst.printed, below(worst.ours), half),
-                   .why = "the signs are those of axes with x to the left and y up, and K_d is 2 kd1 of "
-                          "SceneLib's calibrations",
-                   .runs = places},
-                  worst, 1e-9);
+  return assessed(
+      "5.4-lens", "(5.26), (5.27)",
+      "Pixel of a point in camera axes (z ahead, x to the right, y down), to 1e-9 pixels",
+      {.printed = "u0 - u_c/sqrt(d), d = 1 + K_d (u_c^2 + v_c^2)",
+       .measured = {"{} points in view of Davison's lens: printed off by up to {:.0f} pixels, {} with x to "
+                    "the left and y up. With the published kd1 taken for K_d, by {:.1f} pixels",
+                    places, worst.printed, below(worst.ours), half},
+       .why = "the signs are those of axes with x to the left and y up, and K_d is 2 kd1 of SceneLib's "
+              "calibrations",
+       .runs = places},
+      worst, 1e-9);
 }
 
 Claim unit_norm() {
   const Course course = run({}, 1);
   double off = 0;
   for (const Instant& i : course.instants) off = std::max(off, std::abs(i.mean.segment<4>(3).norm() - 1));
-  return assessed("5.4-norm", "below (5.25)",
-                  "Normalizing at each update removes the redundancy of the quaternion: its length is 1 to "
-                  "1e-12, and three numbers parametrize the error of the orientation",
-                  {.printed = "|q| = 1",
-                   .measured = fmt::format("after {} updates {}", course.instants.size(), below(off))},
-                  off <= 1e-12);
+  return assessed(
+      "5.4-norm", "below (5.25)",
+      "Normalizing at each update removes the redundancy of the quaternion: its length is 1 to 1e-12, and "
+      "three numbers parametrize the error of the orientation",
+      {.printed = "|q| = 1", .measured = {"after {} updates {}", course.instants.size(), below(off)}},
+      off <= 1e-12);
 }
 
 }  // namespace

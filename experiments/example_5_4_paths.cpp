@@ -1,20 +1,15 @@
 // Example 5.4: the path of (5.28) against others, in the same rooms.
 #include <functional>
-#include <numbers>
 #include <utility>
 
-#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_4.hpp"
-#include "incognita/math/angles.hpp"
 
 namespace incognita::swinging_camera {
 namespace {
 
-using Eigen::Vector3d;
 using Runs = std::vector<Summary>;
 
-constexpr double pi = std::numbers::pi;
 const BackAndForthPath circle;
 
 /// A position and a heading at each time.
@@ -79,9 +74,8 @@ Claim short_loops(const Compared& c) {
       "a varying speed, but never backward, the largest sigma is larger and the error of the estimate twice "
       "as large or more (99.9 % intervals of the factors above 1 and above 2)",
       {.printed = "crucial",
-       .measured =
-           fmt::format("back and forth {}; never backward {}; factors {} of the error and {} of sigma",
-                       numbers(c.example), numbers(c.surges), text(error), text(sigma)),
+       .measured = {"back and forth {}; never backward {}; factors {} of the error and {} of sigma",
+                    numbers(c.example), numbers(c.surges), text(error), text(sigma)},
        .seeds = c.surges.size()},
       is_above(error, 2) && is_above(sigma, 1));
 }
@@ -89,17 +83,16 @@ Claim short_loops(const Compared& c) {
 Claim varied_motion(const Compared& c) {
   const Interval alone = factor(c.surges, c.steady, &Summary::rms_error_m),
                  returning = factor(c.example, c.steady, &Summary::rms_error_m);
-  return assessed(
-      "5.4-varied", "head of Section 5.2.2, after [118]",
-      "Motion that is not constant lets such systems estimate well: around the same circle in the same time "
-      "a camera at constant speed has a larger error than one at varying speed (99.9 % interval of the "
-      "factor above 1)",
-      {.printed = "good estimator behaviour",
-       .measured = fmt::format("constant speed {}; varying speed {}: factor {}; against back and forth {}",
-                               numbers(c.steady), numbers(c.surges), text(alone), text(returning)),
-       .why = "when it returns; a varying speed alone is not enough",
-       .seeds = c.steady.size()},
-      is_above(alone, 1), is_above(returning, 1));
+  return assessed("5.4-varied", "head of Section 5.2.2, after [118]",
+                  "Motion that is not constant lets such systems estimate well: around the same circle in "
+                  "the same time a camera at constant speed has a larger error than one at varying speed "
+                  "(99.9 % interval of the factor above 1)",
+                  {.printed = "good estimator behaviour",
+                   .measured = {"constant speed {}; varying speed {}: factor {}; against back and forth {}",
+                                numbers(c.steady), numbers(c.surges), text(alone), text(returning)},
+                   .why = "when it returns; a varying speed alone is not enough",
+                   .seeds = c.steady.size()},
+                  is_above(alone, 1), is_above(returning, 1));
 }
 
 Claim most_stable(const Compared& c) {
@@ -110,10 +103,10 @@ Claim most_stable(const Compared& c) {
       "5.4-most-stable", "below (5.27)",
       "Of the paths tried the estimate is the nearest to the truth along (5.28) (99.9 % intervals)",
       {.printed = "one of the most stable paths we found",
-       .measured = fmt::format("back and forth {}; never backward {}; constant speed {}; back and forth, "
-                               "facing outward {}; swinging in place {}",
-                               numbers(c.example), numbers(c.surges), numbers(c.steady), numbers(c.outward),
-                               numbers(c.swings)),
+       .measured = {"back and forth {}; never backward {}; constant speed {}; back and forth, facing outward "
+                    "{}; swinging in place {}",
+                    numbers(c.example), numbers(c.surges), numbers(c.steady), numbers(c.outward),
+                    numbers(c.swings)},
        .why = "of those that go all around the room. One that swings in place has a smaller position error, "
               "and maps fewer points",
        .seeds = c.steady.size()},
@@ -157,8 +150,8 @@ Claim sideways(int seeds) {
       "Motion across the camera's axis reduces the uncertainty more than motion along it: after 10 s of "
       "swinging by 0.4 m sigmas of the same points are larger along than across (99.9 % intervals)",
       {.printed = "larger reductions",
-       .measured = fmt::format("along against across: all points {}, those within 20 degrees of the axis {}",
-                               text(exponential(all), "times"), text(exponential(near), "times")),
+       .measured = {"along against across: all points {}, those within 20 degrees of the axis {}",
+                    text(exponential(all), "times"), text(exponential(near), "times")},
        .why = "of points near the axis. In an image 97 degrees wide the others show parallax either way",
        .seeds = seeds},
       is_above(all, 0), is_above(near, 0));

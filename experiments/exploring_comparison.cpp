@@ -24,7 +24,7 @@ double share_backwards(const Run& run) {
   double back = 0, all = 0;
   for (std::size_t i = 1; i < run.instants.size(); ++i) {
     const StampedPose &from = run.instants[i - 1].truth, &to = run.instants[i].truth;
-    const Eigen::Vector3d ahead = rotation_matrix<double>(from.orientation).col(2);
+    const Vector3d ahead = rotation_matrix<double>(from.orientation).col(2);
     const double way = (to.position - from.position).dot(ahead);
     back += std::max(0.0, -way);
     all += std::abs(way);
@@ -120,17 +120,17 @@ Claim backs_away(const std::string& id, const std::string& place, const std::str
       slower += d.action.starts_with("slower");
       faster += d.action.starts_with("faster");
     }
-  return assessed(id, place,
-                  "The vehicle explores by repeatedly choosing a negative linear acceleration: more than "
-                  "half of its path is driven backward, starting " +
-                      start + variant,
-                  {.printed = printed,
-                   .measured = fmt::format(
-                       "share backward less a half: {} (99.9 %); {} decisions for slower, {} for faster",
-                       text(more), slower, faster),
-                   .why = why,
-                   .seeds = beyond_half.size()},
-                  is_above(more, 0));
+  return assessed(
+      id, place,
+      "The vehicle explores by repeatedly choosing a negative linear acceleration: more than half of its "
+      "path is driven backward, starting " +
+          start + variant,
+      {.printed = printed,
+       .measured = {"share backward less a half: {} (99.9 %); {} decisions for slower, {} for faster",
+                    text(more), slower, faster},
+       .why = why,
+       .seeds = beyond_half.size()},
+      is_above(more, 0));
 }
 
 Claim beats(const std::string& id, const std::string& place, const std::string& statement,

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/chapter_5_numbers.hpp"
+#include "experiments/compared_numbers.hpp"
 #include "experiments/curves.hpp"
 #include "experiments/evidence.hpp"
 #include "experiments/exploring_run.hpp"

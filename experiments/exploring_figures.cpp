@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/chapter_5_curves.hpp"
+#include "experiments/curves.hpp"
 #include "experiments/exploring_comparison.hpp"
 #include "incognita/analysis/evaluation/pose_consistency.hpp"
 
@@ -15,11 +15,9 @@ Panel error_panel(const std::string& title, const std::string& unit, const Run& 
     return -2 * std::sqrt(std::max(0.0, i.covariance(axis, axis)));
   };
   const auto error = [&](const Instant& i) { return pose_error(i.truth, i.estimate)[axis]; };
-  return {title,
-          "t, s",
-          unit,
-          {band_of("2 sigma", Color::sky, run.instants, &Instant::t_s, lower),
-           over_time("error", run, Color::blue, error)}};
+  return time_panel(title, unit,
+                    {band_of("2 sigma", Color::sky, run.instants, &Instant::t_s, lower),
+                     over_time("error", run, Color::blue, error)});
 }
 
 }  // namespace
@@ -41,7 +39,7 @@ Panel from_above(const std::string& title, const Run& run) {
 }
 
 Panel choices(const std::string& title, const Run& run) {
-  Panel p{title, "t, s", "", {}};
+  Panel p = time_panel(title, "");
   p.curves = {curve_of("", Style::steps, Color::blue, run.decisions, &Decision::t_s, &Decision::chosen)};
   p.y_names = run.actions;
   p.y_range = {-0.5, static_cast<double>(run.actions.size()) - 0.5};
@@ -49,7 +47,7 @@ Panel choices(const std::string& title, const Run& run) {
 }
 
 Panel entropies(const std::string& title, const Run& run) {
-  Panel p{title, "t, s", "entropy, nats", {}};
+  Panel p = time_panel(title, "entropy, nats");
   Curve located{"located", Style::points, {}, {}, {}, Color::green};
   for (int n = 1; n <= static_cast<int>(run.located_t_s.size()); ++n) {
     located.x.push_back(*run.located_at_s(n));

@@ -1,6 +1,5 @@
 #include "experiments/monobot.hpp"
 
-#include <Eigen/Cholesky>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -9,14 +8,10 @@
 #include "experiments/linear_filter.hpp"
 #include "incognita/belief/belief.hpp"
 #include "incognita/belief/linearize.hpp"
-#include "incognita/math/random.hpp"
 #include "incognita/models/motion/monobot.hpp"
 
 namespace incognita::monobot {
 namespace {
-
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 constexpr double dt = 1;  // so that a speed is a displacement, as in (3.4)
 
@@ -145,9 +140,9 @@ class World {
   void move() { truth_[0] += setup_.sigma_v_m * motion_.normal(); }
 
   VectorXd measure() {
-    VectorXd z(static_cast<Eigen::Index>(measurements_.size()));
-    const Eigen::Index anchors = z.size() - setup_.landmarks;
-    for (Eigen::Index i = 0; i < z.size(); ++i) {
+    VectorXd z(static_cast<Index>(measurements_.size()));
+    const Index anchors = z.size() - setup_.landmarks;
+    for (Index i = 0; i < z.size(); ++i) {
       const double place = i < anchors ? 0 : truth_[i - anchors + 1];
       z[i] = RelativePosition::predict_measurement(truth_[0], place).z[0] +
              setup_.sigma_w_m * measurements_[i].normal();
@@ -182,13 +177,13 @@ std::vector<double> numbers(const VectorXd& row) { return {row.begin(), row.end(
 
 Panel states_panel(const Run& run) {
   Panel p{run.truth.rows() == 2 ? "one landmark" : "two landmarks", "step", "position, m", {}};
-  for (Eigen::Index i = 0; i < run.truth.rows(); ++i) {
+  for (Index i = 0; i < run.truth.rows(); ++i) {
     const std::string what = i == 0                  ? "robot"
                              : run.truth.rows() == 2 ? "landmark"
                                                      : fmt::format("landmark {}", i);
     p.curves.push_back(over_steps(what, numbers(run.estimate.row(i))));
   }
-  for (Eigen::Index i = 0; i < std::min<Eigen::Index>(run.truth.rows(), 2); ++i) {  // landmarks are all there
+  for (Index i = 0; i < std::min<Index>(run.truth.rows(), 2); ++i) {  // landmarks are all there
     p.curves.push_back(over_steps(i == 0 ? "truth" : "", numbers(run.truth.row(i)), Style::dashed));
     p.curves.back().color = Color::ink;
   }
@@ -196,15 +191,15 @@ Panel states_panel(const Run& run) {
 }
 
 /// Errors of the states from `first` to `last`, after each update, in the band of the first's 2 sigma.
-Panel errors_panel(const Run& run, Eigen::Index first, Eigen::Index last, const std::string& y_label) {
+Panel errors_panel(const Run& run, Index first, Index last, const std::string& y_label) {
   Panel p{"", "step", y_label, {}};
-  const Eigen::Index steps = run.truth.cols() - 1;
+  const Index steps = run.truth.cols() - 1;
   const VectorXd bound = 2 * run.variance.row(first).tail(steps).cwiseSqrt().transpose();
   Curve band = over_steps("2 sigma", numbers(-bound), Style::band, 1);
   band.y2 = numbers(bound);
   band.color = Color::gray;
   p.curves.push_back(band);
-  for (Eigen::Index i = first; i <= last; ++i)
+  for (Index i = first; i <= last; ++i)
     p.curves.push_back(over_steps(first == last ? "error" : fmt::format("error {}", i),
                                   numbers(run.error().row(i).tail(steps)), Style::line, 1));
   return p;
@@ -253,7 +248,7 @@ LinearSystem system(const Setup& setup) {
 
 LinearSystem with_pseudo_noise(const LinearSystem& system, const MatrixXd& dP) {
   LinearSystem noisy = system;
-  const Eigen::Index n = system.F.rows(), m = system.Q.rows();
+  const Index n = system.F.rows(), m = system.Q.rows();
   noisy.G.resize(n, m + n);
   noisy.G << system.G, MatrixXd::Identity(n, n);
   noisy.Q = MatrixXd::Zero(m + n, m + n);
@@ -345,7 +340,7 @@ Claim consistent(const std::string& id, const std::string& place, Setup setup, i
     setup.landmarks = n;
     const auto last = each(simulate_all(setup, seeds), [&](const Run& run) { return run.nees[setup.steps]; });
     const Interval band = nees_band(seeds, n + 1);
-    return {fmt::format("{}, chi-square band {:.3f} to {:.3f}", text(mean_of(last)), band.low, band.high),
+    return {{"{}, chi-square band {:.3f} to {:.3f}", text(mean_of(last)), band.low, band.high},
             agrees(mean_of(last), 1, 0.25)};
   });
   return assessed(
@@ -364,19 +359,19 @@ Claim inflated(const std::string& id, const Setup& setup, int seeds) {
   const auto last = errors(simulate_all(setup, seeds), 1, setup.steps);
   const double actual_sigma = std::sqrt(actual(1, 1));
   const Finding as_computed = agrees(rms_of(last), actual_sigma, 0.2 * actual_sigma);
-  return assessed(id, "Section 3.3",
-                  "The filter is suboptimal, and its covariances are inflated: they exceed the actual error "
-                  "covariance (errors over runs as computed, to a fifth), which exceeds that of the optimal "
-                  "filter (no eigenvalue of the differences below -1e-12 m^2)",
-                  {.printed = "inflated",
-                   .measured = fmt::format(
-                       "after {} steps with {} landmark{}, landmark: {:.3f} m by the filter, {:.3f} m "
-                       "actual, {} over runs, {:.3f} m optimal; robot: {:.3f}, {:.3f}, {:.3f} m.",
-                       setup.steps, setup.landmarks, setup.landmarks == 1 ? "" : "s", std::sqrt(said(1, 1)),
-                       std::sqrt(actual(1, 1)), text(rms_of(last), "m"), std::sqrt(best(1, 1)),
-                       std::sqrt(said(0, 0)), std::sqrt(actual(0, 0)), std::sqrt(best(0, 0))),
-                   .seeds = seeds},
-                  std::min(margin, loss) >= -1e-12 && said.trace() > 1.01 * actual.trace() && as_computed);
+  return assessed(
+      id, "Section 3.3",
+      "The filter is suboptimal, and its covariances are inflated: they exceed the actual error covariance "
+      "(errors over runs as computed, to a fifth), which exceeds that of the optimal filter (no eigenvalue "
+      "of the differences below -1e-12 m^2)",
+      {.printed = "inflated",
+       .measured = {"after {} steps with {} landmark{}, landmark: {:.3f} m by the filter, {:.3f} m actual, "
+                    "{} over runs, {:.3f} m optimal; robot: {:.3f}, {:.3f}, {:.3f} m.",
+                    setup.steps, setup.landmarks, setup.landmarks == 1 ? "" : "s", std::sqrt(said(1, 1)),
+                    std::sqrt(actual(1, 1)), text(rms_of(last), "m"), std::sqrt(best(1, 1)),
+                    std::sqrt(said(0, 0)), std::sqrt(actual(0, 0)), std::sqrt(best(0, 0))},
+       .seeds = seeds},
+      std::min(margin, loss) >= -1e-12 && said.trace() > 1.01 * actual.trace() && as_computed);
 }
 
 double relative_variance(double sigma_v_m, double sigma_w_m, int landmarks) {

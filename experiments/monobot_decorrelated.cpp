@@ -14,10 +14,7 @@
 namespace incognita {
 namespace {
 
-using Eigen::MatrixXd;
-using monobot::Course;
-using monobot::Decorrelated;
-using monobot::Setup;
+using namespace monobot;
 
 Setup all_decorrelated(int landmarks, int steps) {
   return {.landmarks = landmarks, .decorrelated = Decorrelated::everything, .steps = steps};
@@ -32,15 +29,14 @@ Setup map_decorrelated(int landmarks, int steps = 600) {
 Claim unbounded() {
   Cases cases;
   for (const auto& [n, last] : {std::pair(1, 10'000), std::pair(2, 3000)}) {
-    const auto P = monobot::course(all_decorrelated(n, last)).posterior;
+    const auto P = course(all_decorrelated(n, last)).posterior;
     for (const int state : {0, 1}) {
       std::vector<double> k, variance;
       for (const int step : {100, 300, 1000, last})
         k.push_back(step), variance.push_back(P[step](state, state));
       const double exponent = exponent_of(k, variance);
-      cases.add({fmt::format("{} with {}: {:.3g} m^2 after 100, {:.3g} m^2 after {}, as step^{:.2f}",
-                             state == 0 ? "robot" : "landmark", n, variance.front(), variance.back(), last,
-                             exponent),
+      cases.add({{"{} with {}: {:.3g} m^2 after 100, {:.3g} m^2 after {}, as step^{:.2f}",
+                  state == 0 ? "robot" : "landmark", n, variance.front(), variance.back(), last, exponent},
                  exponent >= 0.9});
     }
   }
@@ -53,10 +49,10 @@ Claim unbounded() {
 Claim how_fast() {
   const Cases cases = by_number({1, 2, 4}, [](int n) -> CaseResult {
     const Setup setup = all_decorrelated(n, 600);
-    const auto P = monobot::course(setup).prior;
+    const auto P = course(setup).prior;
     const double rate = (P[600].trace() - P[500].trace()) / 100 / (n + 1);
     const double predicted = setup.sigma_v_m * setup.sigma_v_m / (n + 1);
-    return {fmt::format("{:.3g}, predicted {:.3g}", rate, predicted), std::abs(rate / predicted - 1) < 0.05};
+    return {{"{:.3g}, predicted {:.3g}", rate, predicted}, std::abs(rate / predicted - 1) < 0.05};
   });
   return assessed("3.6-rate", "Example 3.6",
                   "Growth is linear in time, by s_v^2/(n + 1) a step for each state: no measurement reduces "
@@ -68,10 +64,10 @@ Claim full_rank_inflation() {
   bool controllable = true;
   const Cases cases = by_number({1, 2, 4}, [&](int n) -> CaseResult {
     const Setup setup = all_decorrelated(n, 100);
-    const MatrixXd dP = monobot::course(setup).inflation[100];
-    const int rank = rank_of(dP, 1e-6).rank, with_noise = monobot::excited(setup, dP).rank;
+    const MatrixXd dP = course(setup).inflation[100];
+    const int rank = rank_of(dP, 1e-6).rank, with_noise = excited(setup, dP).rank;
     controllable = controllable && with_noise == n + 1;
-    return {fmt::format("{} of {}, with the process noise {}", rank, n + 1, with_noise), rank == n + 1};
+    return {{"{} of {}, with the process noise {}", rank, n + 1, with_noise}, rank == n + 1};
   });
   return assessed(
       "3.6-full-rank", "Example 3.6",
@@ -86,19 +82,19 @@ Claim full_rank_inflation() {
 
 Claim inflation_is_noise() {
   const Setup setup = all_decorrelated(1, 100);
-  const LinearSystem s = monobot::system(setup);
+  const LinearSystem s = system(setup);
   const auto course = monobot::course(setup);
   const MatrixXd dP = course.inflation[100];
-  const LinearSystem noisy = monobot::with_pseudo_noise(s, dP);
+  const LinearSystem noisy = with_pseudo_noise(s, dP);
   const MatrixXd ours = predicted(noisy, course.posterior[99]);
   const double off = relative_difference(ours, course.prior[100]);
   const auto rows = s.Q.rows() + dP.rows(), columns = dP.cols(), needed = noisy.G.cols();  // of [Q; dP]
   return assessed("3.6-as-noise", "(3.26), (3.27)",
                   "Adding dP is the same as a process noise that enters by G' = [G I], to 1e-12",
                   {.printed = "F P F' + G' [Q; dP] G''",
-                   .measured = fmt::format("[Q; dP] is {}x{} where {}x{} is needed; with [Q 0; 0 dP] the "
-                                           "relative difference from the engine's inflated covariance is {}",
-                                           rows, columns, needed, needed, below(off)),
+                   .measured = {"[Q; dP] is {}x{} where {}x{} is needed; with [Q 0; 0 dP] the relative "
+                                "difference from the engine's inflated covariance is {}",
+                                rows, columns, needed, needed, below(off)},
                    .why = "the noises belong on the diagonal, [Q 0; 0 dP]"},
                   columns == needed && rows == needed, off <= 1e-12);
 }
@@ -114,7 +110,7 @@ constexpr double least_growth = 0.01;
 
 Claim bounded() {
   const Cases cases = by_number({1, 2, 3, 4}, [](int n) -> CaseResult {
-    const auto P = monobot::course(map_decorrelated(n)).posterior;
+    const auto P = course(map_decorrelated(n)).posterior;
     const double g = growth(map_decorrelated(n), P[300], P[600]);
     return {
         fmt::format("robot {:.4f} m^2, landmark {:.4f} m^2, growth {}", P[600](0, 0), P[600](1, 1), below(g)),
@@ -131,56 +127,52 @@ Claim bounded() {
 }
 
 Claim one_landmark_is_as_before() {
-  const Course plain = monobot::course({.landmarks = 1, .steps = 600}),
-               dropped = monobot::course(map_decorrelated(1));
+  const Course plain = course({.landmarks = 1, .steps = 600}), dropped = course(map_decorrelated(1));
   double off = 0;
   for (std::size_t k = 1; k < plain.gain.size(); ++k)
     off = std::max(
         {off, (plain.gain[k] - dropped.gain[k]).norm(), (plain.posterior[k] - dropped.posterior[k]).norm()});
-  return assessed(
-      "3.8-one-landmark", "Example 3.8",
-      "With one landmark this is Example 3.1: the same gains and covariances",
-      {.printed = "identical", .measured = fmt::format("largest difference over 600 steps: {}", off)},
-      off == 0);
+  return assessed("3.8-one-landmark", "Example 3.8",
+                  "With one landmark this is Example 3.1: the same gains and covariances",
+                  {.printed = "identical", .measured = {"largest difference over 600 steps: {}", off}},
+                  off == 0);
 }
 
 Claim landmark_variance_is_greater() {
-  const Course plain = monobot::course({.landmarks = 2, .steps = 600}),
-               dropped = monobot::course(map_decorrelated(2));
+  const Course plain = course({.landmarks = 2, .steps = 600}), dropped = course(map_decorrelated(2));
   bool greater = true;
   for (std::size_t k = 2; k < plain.posterior.size();
        ++k)  // before the first update there is nothing to drop
     greater = greater && dropped.posterior[k](1, 1) > plain.posterior[k](1, 1);
-  return assessed(
-      "3.8-variance", "Example 3.8",
-      "With two landmarks their variance is greater than without decorrelation, at every step from the "
-      "second on",
-      {.printed = "greater",
-       .measured = fmt::format("after 100 steps {:.4f} against {:.4f} m^2; the robot's is the same, {:.4f} "
-                               "against {:.4f} m^2, because nothing is added to the mean of equal landmarks",
-                               dropped.posterior[100](1, 1), plain.posterior[100](1, 1),
-                               dropped.posterior[100](0, 0), plain.posterior[100](0, 0))},
-      greater);
+  return assessed("3.8-variance", "Example 3.8",
+                  "With two landmarks their variance is greater than without decorrelation, at every step "
+                  "from the second on",
+                  {.printed = "greater",
+                   .measured = {"after 100 steps {:.4f} against {:.4f} m^2; the robot's is the same, {:.4f} "
+                                "against {:.4f} m^2, because nothing is added to the mean of equal landmarks",
+                                dropped.posterior[100](1, 1), plain.posterior[100](1, 1),
+                                dropped.posterior[100](0, 0), plain.posterior[100](0, 0)}},
+                  greater);
 }
 
 Claim landmark_gain_settles() {
-  const auto gain = monobot::course(map_decorrelated(2)).gain;
+  const auto gain = course(map_decorrelated(2)).gain;
   const double last = gain[600](1, 0), change = std::abs(last - gain[300](1, 0));
   const double of_mean = (gain[600].row(1) + gain[600].row(2)).cwiseAbs().maxCoeff();
   return assessed("3.8-gain", "Example 3.8, Figure 3.15 (d)",
                   "With two landmarks their gains do not become zero; they converge to a steady state",
                   {.printed = "not 0",
-                   .measured = fmt::format("landmark 1 by its own measurement: {:.4f}; change in 300 steps "
-                                           "{}. The gain of the landmarks' mean still goes to zero: {}",
-                                           last, below(change), below(of_mean))},
+                   .measured = {"landmark 1 by its own measurement: {:.4f}; change in 300 steps {}. The gain "
+                                "of the landmarks' mean still goes to zero: {}",
+                                last, below(change), below(of_mean)}},
                   last > 1e-3 && change < 1e-6);
 }
 
 Claim map_makes_controllable() {
   const Cases cases = by_number({2, 3, 4}, [](int n) -> CaseResult {
     const Setup setup = map_decorrelated(n, 100);
-    const int rank = monobot::excited(setup, monobot::course(setup).inflation[100]).rank;
-    return {fmt::format("{} of {}", rank, n + 1), rank == n + 1};
+    const int rank = excited(setup, course(setup).inflation[100]).rank;
+    return {{"{} of {}", rank, n + 1}, rank == n + 1};
   });
   return assessed("3.8-controllable", "Example 3.8, Section 3.3",
                   "Decorrelating the map makes the system controllable",
@@ -200,9 +192,8 @@ struct Case {
 };
 
 Case case_of(const std::string& name, const Setup& setup, const MatrixXd& dP, double growth) {
-  return {fmt::format("{} with {}", name, setup.landmarks), rank_of(dP, 1e-6).rank,
-          monobot::excited(setup, dP).rank, rank_of(observability_matrix(monobot::system(setup))).rank,
-          growth < least_growth};
+  return {fmt::format("{} with {}", name, setup.landmarks), rank_of(dP, 1e-6).rank, excited(setup, dP).rank,
+          rank_of(observability_matrix(system(setup))).rank, growth < least_growth};
 }
 
 Case inflated_case(int n, Decorrelated what) {
@@ -234,8 +225,8 @@ std::vector<Claim> rank_condition() {
   for (const Case& c : tried) {
     when = when && (c.bounded || c.rank > c.observable);
     with_noise = with_noise && c.bounded == (c.with_noise <= c.observable);
-    only_when.add({fmt::format("{}: {}, {}, {} {}", c.name, c.rank, c.with_noise, c.observable,
-                               c.bounded ? "bounded" : "unbounded"),
+    only_when.add({{"{}: {}, {}, {} {}", c.name, c.rank, c.with_noise, c.observable,
+                    c.bounded ? "bounded" : "unbounded"},
                    !c.bounded || c.rank <= c.observable});
   }
   return {
@@ -257,20 +248,18 @@ std::vector<Claim> rank_condition() {
 }
 
 LedgerEntry run_3_6(const ExperimentSettings& settings) {
-  return entry_of(
-      example_3_6, settings,
-      {unbounded(), how_fast(), full_rank_inflation(), inflation_is_noise(),
-       monobot::inflated("3.6-inflated", all_decorrelated(1, 100), settings.seeds)},
-      {monobot::four_rows("fig-3.12", "No anchor, everything decorrelated", all_decorrelated(1, 100))});
+  return entry_of(example_3_6, settings,
+                  {unbounded(), how_fast(), full_rank_inflation(), inflation_is_noise(),
+                   inflated("3.6-inflated", all_decorrelated(1, 100), settings.seeds)},
+                  {four_rows("fig-3.12", "No anchor, everything decorrelated", all_decorrelated(1, 100))});
 }
 
 LedgerEntry run_3_8(const ExperimentSettings& settings) {
   return entry_of(example_3_8, settings,
-                  concatenated({{bounded(), one_landmark_is_as_before(), landmark_variance_is_greater(),
-                                 landmark_gain_settles(), map_makes_controllable(),
-                                 monobot::inflated("3.8-inflated", map_decorrelated(2, 100), settings.seeds)},
-                                rank_condition()}),
-                  {monobot::four_rows("fig-3.15", "No anchor, map decorrelated", map_decorrelated(1, 100))});
+                  {bounded(), one_landmark_is_as_before(), landmark_variance_is_greater(),
+                   landmark_gain_settles(), map_makes_controllable(),
+                   inflated("3.8-inflated", map_decorrelated(2, 100), settings.seeds), rank_condition()},
+                  {four_rows("fig-3.15", "No anchor, map decorrelated", map_decorrelated(1, 100))});
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 // evaluated at the team's times and at its own. Holds: joint better than that for each of the five, with the
 // noises as fixed, halved and doubled.
 #include "experiments/mrclam.hpp"
-#include "experiments/chapter_5_numbers.hpp"
 #include "experiments/common.hpp"
 
 namespace incognita::recorded_team {
@@ -35,18 +34,17 @@ Claim joint_beats_alone(const Drives& d) {
              fitted = of_robots(d.joint, &RobotCourse::fitted_rms_m),
              alone = best_robots(d.alone, &RobotCourse::rms_m),
              alone_fitted = best_robots(d.alone, &RobotCourse::fitted_rms_m);
-  return assessed(
-      "mrclam-joint", "Section 5.2.1, (5.16)-(5.19)",
-      "The extension to many robots is direct, and improves the estimate: where they measure each other "
-      "every robot's rms position error is smaller in one belief than alone, nothing fitted and after a "
-      "rigid fit of the landmarks",
-      {.measured = fmt::format("five robots, {:.0f} s, by robot. Nothing fitted: joint {}; {}. After the "
-                               "fit: joint {}; {}. Headings: joint {}; alone {}",
-                               d.joint.recorded_s, list(joint), four_ways(d.alone, &RobotCourse::rms_m),
-                               list(fitted), four_ways(d.alone, &RobotCourse::fitted_rms_m),
-                               list(of_robots(d.joint, &RobotCourse::rms_heading_rad), " rad"),
-                               list(of_robots(d.alone.plain, &RobotCourse::rms_heading_rad), " rad"))},
-      smaller(joint, alone) && smaller(fitted, alone_fitted));
+  return assessed("mrclam-joint", "Section 5.2.1, (5.16)-(5.19)",
+                  "The extension to many robots is direct, and improves the estimate: where they measure "
+                  "each other every robot's rms position error is smaller in one belief than alone, nothing "
+                  "fitted and after a rigid fit of the landmarks",
+                  {.measured = {"five robots, {:.0f} s, by robot. Nothing fitted: joint {}; {}. After the "
+                                "fit: joint {}; {}. Headings: joint {}; alone {}",
+                                d.joint.recorded_s, list(joint), four_ways(d.alone, &RobotCourse::rms_m),
+                                list(fitted), four_ways(d.alone, &RobotCourse::fitted_rms_m),
+                                list(of_robots(d.joint, &RobotCourse::rms_heading_rad), " rad"),
+                                list(of_robots(d.alone.plain, &RobotCourse::rms_heading_rad), " rad")}},
+                  smaller(joint, alone) && smaller(fitted, alone_fitted));
 }
 
 Claim seeing_each_other(const Drives& d) {
@@ -57,10 +55,9 @@ Claim seeing_each_other(const Drives& d) {
       "mrclam-each-other", "(5.17)",
       "Measurements of each other help beyond the map that they share: every robot's rms error is smaller "
       "with them than without, in the same joint filter",
-      {.measured = fmt::format(
-           "with {}; without, the map shared, {}; alone {}. {} measurements, {} of them of robots",
-           list(joint), list(shared), list(alone), d.joint.measurements,
-           d.joint.measurements - d.shared_map.measurements)},
+      {.measured = {"with {}; without, the map shared, {}; alone {}. {} measurements, {} of them of robots",
+                    list(joint), list(shared), list(alone), d.joint.measurements,
+                    d.joint.measurements - d.shared_map.measurements}},
       smaller(joint, shared));
 }
 
@@ -72,20 +69,20 @@ Claim landmarks(const Robots& robots, const Drives& d) {
   };
   const auto off = each(d.joint.landmarks, &MappedLandmark::fitted_off_m);
   const bool all_there = d.joint.landmarks.size() == robots.front().landmarks.size();
-  return assessed("mrclam-landmarks", "Section 5.2.1",
-                  "The joint map has every landmark and is better than that of any robot alone, nothing "
-                  "fitted and after a rigid fit (rms over landmarks)",
-                  {.measured = fmt::format(
-                       "nothing fitted: joint {:.3f} m; alone {}. After the fit, a turn by {:.1f} degrees: "
-                       "joint {:.3f} m; alone {}. Landmarks {} to {} after the fit: {}",
-                       d.joint.map_rms_m, list(alone, " m", 3), degrees(d.joint.fit.turn_rad),
-                       d.joint.fitted_map_rms_m, list(alone_fitted, " m", 3),
-                       d.joint.landmarks.front().identity, d.joint.landmarks.back().identity, list(off)),
-                   .why = "nothing fitted. After the fit a robot that measures them often has their "
-                          "distances as accurately by itself: the others add the position of the whole map"},
-                  all_there && better_than(d.joint.map_rms_m, alone) &&
-                      better_than(d.joint.fitted_map_rms_m, alone_fitted),
-                  all_there && better_than(d.joint.map_rms_m, alone));
+  return assessed(
+      "mrclam-landmarks", "Section 5.2.1",
+      "The joint map has every landmark and is better than that of any robot alone, nothing fitted and after "
+      "a rigid fit (rms over landmarks)",
+      {.measured = {"nothing fitted: joint {:.3f} m; alone {}. After the fit, a turn by {:.1f} degrees: "
+                    "joint {:.3f} m; alone {}. Landmarks {} to {} after the fit: {}",
+                    d.joint.map_rms_m, list(alone, " m", 3), degrees(d.joint.fit.turn_rad),
+                    d.joint.fitted_map_rms_m, list(alone_fitted, " m", 3), d.joint.landmarks.front().identity,
+                    d.joint.landmarks.back().identity, list(off)},
+       .why = "nothing fitted. After the fit a robot that measures them often has their distances as "
+              "accurately by itself: the others add the position of the whole map"},
+      all_there && better_than(d.joint.map_rms_m, alone) &&
+          better_than(d.joint.fitted_map_rms_m, alone_fitted),
+      all_there && better_than(d.joint.map_rms_m, alone));
 }
 
 /// The largest factor, either way, between two lists.
@@ -108,11 +105,10 @@ Claim linearized_once(const Drives& d) {
       "First-order linearization is enough: iterating the update changes no robot's rms error by more than a "
       "tenth",
       {.printed = "first order linearisations",
-       .measured = fmt::format(
-           "joint: by a factor of {:.2f} at most; alone: plain {}, iterated {}. Longest time without a "
-           "measurement: joint {:.1f} s, alone {}; largest sigma of the heading: alone {}",
-           joint, list(alone), list(alone_iterated), d.joint.longest_blind_s, list(blind, " s", 0),
-           list(heading, " degrees", 0)),
+       .measured = {"joint: by a factor of {:.2f} at most; alone: plain {}, iterated {}. Longest time "
+                    "without a measurement: joint {:.1f} s, alone {}; largest sigma of the heading: alone {}",
+                    joint, list(alone), list(alone_iterated), d.joint.longest_blind_s, list(blind, " s", 0),
+                    list(heading, " degrees", 0)},
        .why = "in the joint filter, in which no robot is long without a measurement. A robot alone loses its "
               "heading, and the linearization point of its next measurement decides its heading estimate and "
               "the orientation of its map from then on"},
@@ -127,11 +123,10 @@ Claim consistent(const Robots& robots, const Drives& d) {
       "The error of the estimate is that of (5.19): NEES over its degrees of freedom from 0.5 to 2 for every "
       "robot",
       {.printed = "optimal estimate, in a least squares sense",
-       .measured = fmt::format("NEES by robot: joint {}, NIS {:.2f}; alone {}; joint with twice the noise on "
-                               "the odometry {}, NIS {:.2f}",
-                               list(nees, "", 1), d.joint.nis,
-                               list(of_robots(d.alone.plain, &RobotCourse::nees), "", 1),
-                               list(of_robots(wide, &RobotCourse::nees), "", 1), wide.nis),
+       .measured = {"NEES by robot: joint {}, NIS {:.2f}; alone {}; joint with twice the noise on the "
+                    "odometry {}, NIS {:.2f}",
+                    list(nees, "", 1), d.joint.nis, list(of_robots(d.alone.plain, &RobotCourse::nees), "", 1),
+                    list(of_robots(wide, &RobotCourse::nees), "", 1), wide.nis},
        .why = "optimal for white noise. The errors of the executed commands and of the camera are correlated "
               "in time: measurements agree better with each other than with the truth"},
       std::ranges::all_of(nees, [](double x) { return x > 0.5 && x < 2; }));
@@ -146,7 +141,7 @@ Claim sensitivity(const Robots& robots) {
                                     Variant("twice", {.sensor_sigmas_times = 2})}) {
     const auto joint = of_robots(together(robots, setup), &RobotCourse::rms_m),
                alone = best_robots(drive_alone(robots, setup), &RobotCourse::rms_m);
-    cases.add({fmt::format("{}: joint {}, alone {}", name, list(joint), list(alone)), smaller(joint, alone)});
+    cases.add({{"{}: joint {}, alone {}", name, list(joint), list(alone)}, smaller(joint, alone)});
   }
   return assessed("mrclam-noises", "Section 5.2.1",
                   "The result does not depend on the noises that the filter is given: with those of the "
@@ -165,8 +160,7 @@ Claim cost(const Drives& d) {
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {
-  return unless_missing(mrclam, [&] {
-    const Robots robots = load();
+  return unless_missing(mrclam, load, [&](const Robots& robots) {
     const Drives drives = compare(robots);
     return entry_of(mrclam, settings,
                     {joint_beats_alone(drives), seeing_each_other(drives), landmarks(robots, drives),

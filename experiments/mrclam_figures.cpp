@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "experiments/chapter_5_curves.hpp"
+#include "experiments/curves.hpp"
 #include "experiments/seeds.hpp"
 
 namespace incognita::recorded_team {
@@ -108,7 +108,7 @@ Plot errors(const Drives& d) {
           name, Style::thin, color, drawn(robot), [&](std::size_t k) { return robot.t_s[k]; },
           [&](std::size_t k) { return robot.instants[k].error().head<2>().norm(); });
     };
-    Panel panel{fmt::format("robot {}", i + 1), "t, s", "m", {}};
+    Panel panel = time_panel(fmt::format("robot {}", i + 1), "m");
     panel.curves = {curve("alone", d.alone.plain[i].robots.front(), Color::orange),
                     curve("joint", d.joint.robots[i], Color::blue)};
     panel.log_y = true;

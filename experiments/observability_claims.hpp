@@ -59,6 +59,11 @@ struct Case {
   double segment_s = 0;  ///< 0: 1 s, in space `in_space_s`
 };
 
+/// The map relative to the vehicle, of so many features.
+inline Case relative_map(const std::string& system, int features = 1, const std::string& motion = "general") {
+  return {.system = system, .representation = "relative", .features = features, .motion = motion};
+}
+
 /// Length of a segment of the systems in space, which take longer to follow.
 inline constexpr double in_space_s = 0.25;
 
@@ -181,7 +186,6 @@ Claim studied(std::string id, std::string place, std::string statement, Evidence
               const Findings&... findings) {
   return studied(1, std::move(id), std::move(place), std::move(statement), std::move(evidence), findings...);
 }
-
 /// Each case is studied once.
 const Study& study(const Case& which);
 
@@ -224,5 +228,13 @@ double largest(const Study& study, const std::function<double(const Course&)>& o
 inline const char* yes_no(bool it_is) { return it_is ? "yes" : "no"; }
 /// `x and y`, `none`
 std::string listed(const std::vector<std::string>& names);
+
+// Parts of entries, in files of their own.
+
+/// Section 4.1: Gramian, SOM and TOM, what the method can show.
+std::vector<Claim> method_claims();
+
+/// Example 4.3: the relative map.
+std::vector<Claim> planar_cv_relative_claims();
 
 }  // namespace incognita::observability_claims

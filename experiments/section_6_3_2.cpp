@@ -61,7 +61,7 @@ Claim closing_loops(const Common& common, const Runs& runs) {
       "are matched that were out of view for 5 s than in others, the map staying the same landmarks" +
           common.variant,
       {.printed = "an interesting effect in the reduction of entropy",
-       .measured = fmt::format("{} nats more a second (99.9 %)", text(more)),
+       .measured = {"{} nats more a second (99.9 %)", text(more)},
        .seeds = all.size()},
       is_above(more, 0));
 }
@@ -106,13 +106,11 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
   const Run& first = actuator[0].front();
   return entry_of(
       section_6_3_2, settings,
-      concatenated({against(as_thesis, printed[0],
-                            in_numbers(all_counted.name, printed[0]) + "; " + in_numbers(baselines(), other)),
-                    against(variant, mapped[0], in_numbers(by_gaze(), mapped)),
-                    gaze_claims(variant, mapped),
-                    {moves_across(of_operator, actuator[0], "commands to an operator"),
-                     closing_loops(variant, actuator[0]), counting(mapped[0], printed[0])},
-                    of_operators(actuator)}),
+      {against(as_thesis, printed[0],
+               in_numbers(all_counted.name, printed[0]) + "; " + in_numbers(baselines(), other)),
+       against(variant, mapped[0], in_numbers(by_gaze(), mapped)), gaze_claims(variant, mapped),
+       moves_across(of_operator, actuator[0], "commands to an operator"), closing_loops(variant, actuator[0]),
+       counting(mapped[0], printed[0]), of_operators(actuator)},
       {{"fig-6.7",
         "A hand-held camera in the rendered room",
         1,

@@ -8,7 +8,6 @@
 // yet together at the end.
 #include "experiments/common.hpp"
 #include "experiments/exploring_strategies.hpp"
-#include "incognita/analysis/evaluation/statistics.hpp"
 
 namespace incognita {
 namespace {
@@ -19,7 +18,7 @@ using namespace exploring;
 double share_inside(const Run& run) {
   double inside = 0, all = 0;
   for (const Instant& i : run.instants) {
-    const Eigen::Vector3d error = i.truth.position - i.estimate.position;
+    const Vector3d error = i.truth.position - i.estimate.position;
     for (int axis = 0; axis < 3; ++axis)
       inside += std::abs(error[axis]) <= 2 * std::sqrt(i.covariance(axis, axis)), ++all;
   }
@@ -33,7 +32,7 @@ Claim inside_its_bounds(const Runs& runs) {
       "A camera that flies is model enough for one on wheels: 95 % of the errors of its position are inside "
       "their 2 sigma bounds, ground and wheels unknown to the filter",
       {.printed = "2 sigma variance bounds",
-       .measured = fmt::format("{} inside (99.9 %)", text(inside)),
+       .measured = {"{} inside (99.9 %)", text(inside)},
        .why = "the filter is slightly overconfident: what the ground does to the camera is not white noise",
        .seeds = runs.size()},
       is_above(inside, 0.95));
@@ -43,16 +42,16 @@ Claim inside_its_bounds(const Runs& runs) {
 Claim one_cycle(const Runs& runs) {
   const auto kept = std::ranges::count_if(runs, [](const Run& r) { return !diverged(r); });
   const Interval found = share_of(static_cast<std::size_t>(kept), runs.size(), assessed_at);
-  return assessed("6.4-one-cycle", "Section 6.4.2, Table 6.1",
-                  "Accelerations that act for one cycle of fifteen, as printed, keep the vehicle localized: "
-                  "in nine of ten rooms or more it ends neither lost nor with an error of 0.5 m",
-                  {.printed = "0.5 m/s^2 and 0.3 rad/s^2",
-                   .measured = fmt::format("share of the rooms {} (99.9 %). {}", text(found),
-                                           in_numbers("one cycle", runs)),
-                   .why = "speeds change by 0.03 m/s a second: it can neither stop nor turn back before all "
-                          "landmarks are out of view. In the other claims they act until the next decision",
-                   .seeds = runs.size()},
-                  is_above(found, 0.9));
+  return assessed(
+      "6.4-one-cycle", "Section 6.4.2, Table 6.1",
+      "Accelerations that act for one cycle of fifteen, as printed, keep the vehicle localized: in nine of "
+      "ten rooms or more it ends neither lost nor with an error of 0.5 m",
+      {.printed = "0.5 m/s^2 and 0.3 rad/s^2",
+       .measured = {"share of the rooms {} (99.9 %). {}", text(found), in_numbers("one cycle", runs)},
+       .why = "speeds change by 0.03 m/s a second: it can neither stop nor turn back before all landmarks "
+              "are out of view. In the other claims they act until the next decision",
+       .seeds = runs.size()},
+      is_above(found, 0.9));
 }
 
 LedgerEntry run(const ExperimentSettings& all_seeds) {
@@ -64,13 +63,12 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
   const std::string backwards = "backwards linear motion increasing the field of view";
   return entry_of(
       section_6_4, settings,
-      concatenated(
-          {with_numbers(driving_claims({"6.4", "Section 6.4.2"}, runs[0], runs), in_numbers(driving(), runs)),
-           {backs_away("6.4-backwards", "Section 6.4.2, Figure 6.9", backwards, "in the middle of the room",
-                       from_the_middle),
-            backs_away("6.4-backwards-from-a-wall", "Section 6.4.2, Figure 6.9, not in the thesis", backwards,
-                       "1 m before the wall behind it", runs[0]),
-            one_cycle(impulses), inside_its_bounds(runs[0])}}),
+      {with_numbers(driving_claims({"6.4", "Section 6.4.2"}, runs[0], runs), in_numbers(driving(), runs)),
+       backs_away("6.4-backwards", "Section 6.4.2, Figure 6.9", backwards, "in the middle of the room",
+                  from_the_middle),
+       backs_away("6.4-backwards-from-a-wall", "Section 6.4.2, Figure 6.9, not in the thesis", backwards,
+                  "1 m before the wall behind it", runs[0]),
+       one_cycle(impulses), inside_its_bounds(runs[0])},
       {map_figure("fig-6.9", "A vehicle that explores, by how it drives", driving(), runs),
        error_figure("fig-6.10", "Estimation errors of its camera and their 2 sigma bounds", driving(),
                     runs)});

@@ -26,12 +26,10 @@ Plot vehicle_figure(const Run& run) {
           "A vehicle explores the rendered room over uneven ground",
           1,
           {from_above("From above", run),
-           {"Height",
-            "t, s",
-            "z, m",
-            {over_time("camera", run, Color::blue, true_height),
-             over_time("estimated", run, Color::orange, height, Style::dashed)}},
-           {"Heading", "t, s", "rad", {over_time("estimated", run, Color::orange, heading)}},
+           time_panel("Height", "z, m",
+                      {over_time("camera", run, Color::blue, true_height),
+                       over_time("estimated", run, Color::orange, height, Style::dashed)}),
+           time_panel("Heading", "rad", {over_time("estimated", run, Color::orange, heading)}),
            choices("Chosen every second", run)}};
 }
 
@@ -48,13 +46,12 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
     return with_numbers(claims, numbers);
   };
   const char* place = "Section 6.4.3, on images";
-  return entry_of(
-      section_6_4_3, settings,
-      concatenated({by_metric({"6.4.3", place, "",
-                               "it drives to where most of the room is in view, and maps no more there"},
-                              all, in_numbers("all counted", all)),
-                    by_metric({"6.4.3-as-mapped", place, as_mapped}, runs[0], in_numbers(driving(), runs))}),
-      {vehicle_figure(runs[0].front())});
+  return entry_of(section_6_4_3, settings,
+                  {by_metric({"6.4.3", place, "",
+                              "it drives to where most of the room is in view, and maps no more there"},
+                             all, in_numbers("all counted", all)),
+                   by_metric({"6.4.3-as-mapped", place, as_mapped}, runs[0], in_numbers(driving(), runs))},
+                  {vehicle_figure(runs[0].front())});
 }
 
 }  // namespace

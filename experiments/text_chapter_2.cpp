@@ -9,17 +9,12 @@
 #include "experiments/linear_filter.hpp"
 #include "experiments/planar_consistency.hpp"
 #include "experiments/text_claims.hpp"
-#include "incognita/math/random.hpp"
 #include "incognita/models/motion/monobot.hpp"
-#include "incognita/models/motion/planar_vehicle.hpp"
 
 namespace incognita {
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-using monobot::Setup;
+using namespace monobot;
 
 /// From a known robot, as in Example 3.1, and from one known to 1 m with landmarks initialized from
 /// measurements.
@@ -35,35 +30,35 @@ Claim precision_increases() {
   double landmark_rise = 0, robot_rise = 0;
   for (const int n : {1, 2, 5})
     for (const Setup& setup : starts(n)) {
-      const auto P = monobot::course(setup).posterior;
+      const auto P = course(setup).posterior;
       for (std::size_t k = 1; k < P.size(); ++k) {
-        const Eigen::VectorXd rise = P[k].diagonal() - P[k - 1].diagonal();
+        const VectorXd rise = P[k].diagonal() - P[k - 1].diagonal();
         robot_rise = std::max(robot_rise, rise[0]);
         landmark_rise = std::max(landmark_rise, rise.tail(n).maxCoeff());
       }
     }
-  return assessed("text-2.2-precision", "Section 2.2",
-                  "The precision of vehicle and landmark locations increases monotonically: no variance ever "
-                  "rises from one update to the next",
-                  {.printed = "vehicle and landmarks",
-                   .measured = fmt::format(
-                       "largest rise with 1, 2, 5 landmarks and two starts: landmarks {}, robot {:.2g} m^2",
-                       below(landmark_rise), robot_rise),
-                   .why = "of the landmarks only. The vehicle moves, and its variance rises to a bound"},
-                  std::max(landmark_rise, robot_rise) <= rounding_error, landmark_rise <= rounding_error);
+  return assessed(
+      "text-2.2-precision", "Section 2.2",
+      "The precision of vehicle and landmark locations increases monotonically: no variance ever rises from "
+      "one update to the next",
+      {.printed = "vehicle and landmarks",
+       .measured = {"largest rise with 1, 2, 5 landmarks and two starts: landmarks {}, robot {:.2g} m^2",
+                    below(landmark_rise), robot_rise},
+       .why = "of the landmarks only. The vehicle moves, and its variance rises to a bound"},
+      std::max(landmark_rise, robot_rise) <= rounding_error, landmark_rise <= rounding_error);
 }
 
 Claim vehicle_is_bounded() {
-  const auto P = monobot::course({.steps = 10'000}).posterior;
+  const auto P = course({.steps = 10'000}).posterior;
   const double at_100 = P[100](0, 0), at_10000 = P[10'000](0, 0), dead_reckoning = 10'000 * 0.1 * 0.1;
   return assessed(
       "text-2.2-bounded", "Sections 2.1 and 2.2",
       "The vehicle's estimate becomes bounded, where dead reckoning is lost: variance unchanged between 100 "
       "and 10000 steps, to 1e-9",
       {.printed = "bounded",
-       .measured = fmt::format(
-           "after 100 and 10000 steps {:.4f} and {:.4f} m^2; from odometry alone {:.0f} m^2 after 10000",
-           at_100, at_10000, dead_reckoning)},
+       .measured =
+           {"after 100 and 10000 steps {:.4f} and {:.4f} m^2; from odometry alone {:.0f} m^2 after 10000",
+            at_100, at_10000, dead_reckoning}},
       std::abs(at_10000 - at_100) <= 1e-9);
 }
 
@@ -74,18 +69,18 @@ Claim correlations_grow() {
   Cases cases;
   for (const int n : {2, 5})
     for (const Setup& setup : starts(n)) {
-      const auto P = monobot::course(setup).posterior;
+      const auto P = course(setup).posterior;
       for (std::size_t k = 1; k < P.size(); ++k)
         fall = std::max(fall, correlation(P[k - 1], 1, 2) - correlation(P[k], 1, 2));
-      cases.add({fmt::format("{:.3f} to {:.4f}", correlation(P[1], 1, 2), correlation(P[300], 1, 2))});
+      cases.add({{"{:.3f} to {:.4f}", correlation(P[1], 1, 2), correlation(P[300], 1, 2)}});
     }
-  return assessed("text-2.2-correlations", "Section 2.2 and 2.2.1",
-                  "Correlations between landmarks increase monotonically as they are observed",
-                  {.printed = "monotonically",
-                   .measured = fmt::format(
-                       "from step 1 to 300, two and five landmarks from two starts each: {}; largest fall {}",
-                       cases.text(), below(fall))},
-                  fall <= rounding_error);
+  return assessed(
+      "text-2.2-correlations", "Section 2.2 and 2.2.1",
+      "Correlations between landmarks increase monotonically as they are observed",
+      {.printed = "monotonically",
+       .measured = {"from step 1 to 300, two and five landmarks from two starts each: {}; largest fall {}",
+                    cases.text(), below(fall)}},
+      fall <= rounding_error);
 }
 
 Claim lower_bound() {
@@ -100,9 +95,9 @@ Claim lower_bound() {
       "text-3.1-lower-bound", "Sections 2.2 and 3.1, property (3)",
       "No landmark's variance falls below the vehicle's when the first landmark was first seen",
       {.printed = "a lower bound",
-       .measured = fmt::format(
-           "nearest to it after 1000 steps, 27 combinations of noise, number and start: {:.2g} m^2 above",
-           nearest)},
+       .measured =
+           {"nearest to it after 1000 steps, 27 combinations of noise, number and start: {:.2g} m^2 above",
+            nearest}},
       nearest >= -rounding_error);
 }
 
@@ -114,14 +109,14 @@ Claim bound_is_reached() {
       const Setup setup{.landmarks = n, .sigma_v_m = v, .robot_var_m2 = 0.25, .landmark_var_m2 = {}};
       // the covariance of robot and landmark is the limit of the landmark's variance, and is there sooner
       const double limit = after(setup, 1000)(0, 1);
-      worst.take(std::abs(limit / 0.25 - 1), std::abs(limit / monobot::settled_prior(setup)(0, 1) - 1));
-      cases.add({fmt::format("s_v {} m, {} landmarks: {:.4f} m^2", v, n, limit)});
+      worst.take(std::abs(limit / 0.25 - 1), std::abs(limit / settled_prior(setup)(0, 1) - 1));
+      cases.add({{"s_v {} m, {} landmarks: {:.4f} m^2", v, n, limit}});
     }
   return assessed(
       "text-3.1-bound-reached", "Sections 2.2 and 3.1, property (3)",
       "In the limit each landmark's variance reaches that bound, which depends on nothing else; to 1e-9",
       {.printed = "P_r at first sight: 0.25 m^2",
-       .measured = fmt::format("{}. Largest relative difference: {}", cases.text(), worst.text()),
+       .measured = {"{}. Largest relative difference: {}", cases.text(), worst.text()},
        .why = "it settles (sqrt(s_v^4 + 4 s_v^2 s_w^2/n) - s_v^2)/2 above, what remains of the noise of the "
               "first measurements; none only when the vehicle stands still"},
       worst, 1e-9);
@@ -136,33 +131,33 @@ Claim riccati_depends() {
         for (const int n : {1, 2, 5}) {
           const Setup setup{
               .landmarks = n, .sigma_v_m = v, .sigma_w_m = w, .robot_var_m2 = robot, .landmark_var_m2 = {}};
-          const MatrixXd P = after(setup, 400), prior = monobot::settled_prior(setup);
+          const MatrixXd P = after(setup, 400), prior = settled_prior(setup);
           off = std::max(
               {off, std::abs(P(0, 1) / prior(0, 1) - 1), std::abs(P(0, 0) / (prior(0, 0) - v * v) - 1)});
           ++cases;
         }
-  return assessed("text-2.18-depends", "below (2.18), Section 3.1",
-                  "In linear SLAM the Riccati equation still converges, to a solution that is a function of "
-                  "the robot's first covariance, Q, R and the number of landmarks",
-                  {.printed = "f(P_r, Q, R, n)",
-                   .measured = fmt::format(
-                       "covariance of landmarks initialized at the start: P_r + q, robot P_r + 2 q, with q = "
-                       "(sqrt(s_v^4 + 4 s_v^2 s_w^2/n) - s_v^2)/2; largest relative difference over {} "
-                       "combinations {}. Landmarks with a prior add its information",
-                       cases, below(off))},
-                  off <= 1e-9);
+  return assessed(
+      "text-2.18-depends", "below (2.18), Section 3.1",
+      "In linear SLAM the Riccati equation still converges, to a solution that is a function of the robot's "
+      "first covariance, Q, R and the number of landmarks",
+      {.printed = "f(P_r, Q, R, n)",
+       .measured = {"covariance of landmarks initialized at the start: P_r + q, robot P_r + 2 q, with q = "
+                    "(sqrt(s_v^4 + 4 s_v^2 s_w^2/n) - s_v^2)/2; largest relative difference over {} "
+                    "combinations {}. Landmarks with a prior add its information",
+                    cases, below(off)}},
+      off <= 1e-9);
 }
 
 Claim riccati_needs_observability() {
   const Setup setup;
-  const LinearSystem s = monobot::system(setup);
-  const RiccatiLimit limit = iterate_riccati(s, predicted(s, monobot::first_covariance(setup)));
+  const LinearSystem s = system(setup);
+  const RiccatiLimit limit = iterate_riccati(s, predicted(s, first_covariance(setup)));
   const int rank = rank_of(observability_matrix(s)).rank;
   return assessed("text-2.18-only-if", "below (2.18)",
                   "The solution of the Riccati equation converges only if (F, H) is completely observable: "
                   "the monobot without an anchor must not settle",
                   {.printed = "does not converge",
-                   .measured = fmt::format("observability rank {} of 2, and it {}", rank, limit.reason),
+                   .measured = {"observability rank {} of 2, and it {}", rank, limit.reason},
                    .why = "nothing excites what cannot be observed (F = I, no noise on the landmark), so it "
                           "keeps its initial variance. Section 3.1 says so itself"},
                   rank < 2 && !limit.settled);
@@ -187,10 +182,10 @@ Claim initial_covariance() {
   return assessed("text-2.25-birth", "(2.25)",
                   "Covariance of a new landmark (robot known to 0.5 m, measurement to 0.2 m), to 3 % of what "
                   "drawing them gives",
-                  {.printed = fmt::format("J_r P_rr J_r' + J_m P_rr J_m': {:.3f} m^2", printed),
-                   .measured = fmt::format("drawn {:.3f} m^2, ours {:.3f} m^2. With range and bearing P_rr "
-                                           "is 3x3 and J_m 2x2: the printed product does not exist",
-                                           drawn, ours),
+                  {.printed = {"J_r P_rr J_r' + J_m P_rr J_m': {:.3f} m^2", printed},
+                   .measured = {"drawn {:.3f} m^2, ours {:.3f} m^2. With range and bearing P_rr is 3x3 and "
+                                "J_m 2x2: the printed product does not exist",
+                                drawn, ours},
                    .why = "J_r P_rr J_r' + J_m R J_m', with the noise of the first measurement",
                    .runs = draws},
                   std::abs(printed / drawn - 1) <= 0.03, std::abs(ours / drawn - 1) <= 0.03);
@@ -209,9 +204,9 @@ Claim dependent_errors() {
       "Where errors are independent they cancel out over more and more measurements: variance as one over "
       "their number (to 1e-9). Errors of control accumulate and enter every measurement, and they do not "
       "cancel: less than 1 % gained between 100 and 1000",
-      {.measured = fmt::format("landmark of a known robot that stands still: {:.2e} and {:.2e} m^2 after 100 "
-                               "and 1000 steps; of one that moves by 0.1 m a step: {:.4f} and {:.4f} m^2",
-                               still_100, still_1000, moving_100, moving_1000)},
+      {.measured = {"landmark of a known robot that stands still: {:.2e} and {:.2e} m^2 after 100 and 1000 "
+                    "steps; of one that moves by 0.1 m a step: {:.4f} and {:.4f} m^2",
+                    still_100, still_1000, moving_100, moving_1000}},
       cancels && moving_1000 > 0.99 * moving_100);
 }
 
@@ -221,8 +216,8 @@ Claim optimal() {
   double least = 1e300, off = 0;
   for (int i = 0; i < 1000; ++i) {
     const Setup setup{.landmarks = 1 + random.below(4), .anchored = random.below(2) == 1};
-    const LinearSystem s = monobot::system(setup);
-    const MatrixXd P = predicted(s, filtered(s, monobot::first_covariance(setup), 1 + random.below(20)));
+    const LinearSystem s = system(setup);
+    const MatrixXd P = predicted(s, filtered(s, first_covariance(setup), 1 + random.below(20)));
     const MatrixXd K = kalman_gain(s, P), S = s.H * P * s.H.transpose() + s.R;
     const MatrixXd other =
         K + MatrixXd::NullaryExpr(K.rows(), K.cols(), [&] { return 0.05 * random.normal(); });
@@ -233,9 +228,9 @@ Claim optimal() {
       "text-2.2.1-optimal", "Section 2.2.1, (2.16), (2.17)",
       "The Kalman filter is the estimator of minimum mean square error: every other gain has a larger trace, "
       "and with its own gain (2.17) is the covariance (to 1e-12)",
-      {.measured = fmt::format(
-           "1000 other gains: trace at least {:.6f} times as large; (2.17) against the Joseph form: {}",
-           least, below(off)),
+      {.measured =
+           {"1000 other gains: trace at least {:.6f} times as large; (2.17) against the Joseph form: {}",
+            least, below(off)},
        .runs = 1000},
       least > 1 && off <= 1e-12);
 }
@@ -253,15 +248,15 @@ Claim nonholonomic() {
   Vector3d x = Vector3d::Zero();  // ahead, turn, back, turn back: 0.3 s each
   for (const Vector2d& u : {Vector2d(1, 0), Vector2d(0, 1), Vector2d(-1, 0), Vector2d(0, -1)})
     x = at_axle.step(x, u, 0.3).x;
-  return assessed("text-2.1-nonholonomic", "Section 2.1",
-                  "A wheeled vehicle cannot move sideways (below 1e-9 m/s), but its constraint cannot be "
-                  "integrated: driving and turning alternately leads sideways all the same",
-                  {.measured = fmt::format(
-                       "fastest sideways in 1000 poses and inputs, in m/s, {}; after ahead, left, back, "
-                       "right at 1 m/s and 1 rad/s, 0.3 s each: {:.3f} m sideways with the first heading",
-                       below(sideways), x.y()),
-                   .runs = 1000},
-                  sideways <= 1e-9 && std::abs(x.y()) > 0.05 && std::abs(x[2]) < 1e-9);
+  return assessed(
+      "text-2.1-nonholonomic", "Section 2.1",
+      "A wheeled vehicle cannot move sideways (below 1e-9 m/s), but its constraint cannot be integrated: "
+      "driving and turning alternately leads sideways all the same",
+      {.measured = {"fastest sideways in 1000 poses and inputs, in m/s, {}; after ahead, left, back, right "
+                    "at 1 m/s and 1 rad/s, 0.3 s each: {:.3f} m sideways with the first heading",
+                    below(sideways), x.y()},
+       .runs = 1000},
+      sideways <= 1e-9 && std::abs(x.y()) > 0.05 && std::abs(x[2]) < 1e-9);
 }
 
 /// 100 measurements after the first, from a start known to 0.5 m and 10 degrees.
@@ -283,7 +278,7 @@ Claim stationary_vehicle(int seeds) {
     for (const auto& run : first_estimates) off = std::max(off, std::abs(run.sigma_heading_deg - 10));
     const std::vector<double> sigma = each(ekf, &StandingVehicle::sigma_heading_deg);
     nees = bootstrap_mean(each(ekf, &StandingVehicle::nees));
-    return {fmt::format("{}, NEES {}", text(mean_of(sigma), "degrees"), text(nees)),
+    return {{"{}, NEES {}", text(mean_of(sigma), "degrees"), text(nees)},
             is_below(mean_of(sigma, assessed_at), 10)};
   });
   return assessed(
@@ -293,10 +288,9 @@ Claim stationary_vehicle(int seeds) {
       "below the first at 99.9 %; mean NEES above 1 with the largest noise), and with Jacobians at the first "
       "estimates it does not (to 1e-6 degrees)",
       {.printed = "optimistic",
-       .measured = fmt::format(
-           "heading known to 10 degrees, its sigma after 100 measurements by noise of the bearing in "
-           "degrees: {}; with Jacobians at the first estimates 10 in every run (difference {})",
-           optimistic.text(), below(off)),
+       .measured = {"heading known to 10 degrees, its sigma after 100 measurements by noise of the bearing "
+                    "in degrees: {}; with Jacobians at the first estimates 10 in every run (difference {})",
+                    optimistic.text(), below(off)},
        .seeds = seeds},
       optimistic.hold() && is_above(nees, 1) && off < 1e-6);
 }
@@ -304,18 +298,10 @@ Claim stationary_vehicle(int seeds) {
 }  // namespace
 
 std::vector<Claim> chapter_2_claims(int seeds) {
-  return {nonholonomic(),
-          precision_increases(),
-          vehicle_is_bounded(),
-          correlations_grow(),
-          optimal(),
-          dependent_errors(),
-          stationary_vehicle(seeds),
-          riccati_depends(),
-          riccati_needs_observability(),
-          initial_covariance(),
-          lower_bound(),
-          bound_is_reached()};
+  return concatenated({nonholonomic(), precision_increases(), vehicle_is_bounded(), correlations_grow(),
+                       optimal(), dependent_errors(), stationary_vehicle(seeds), riccati_depends(),
+                       riccati_needs_observability(), initial_covariance(), lower_bound(),
+                       bound_is_reached()});
 }
 
 }  // namespace incognita

@@ -6,21 +6,15 @@
 // without noise on the landmarks (0.05 m a step); up to 10000 steps where limits are asked for. Holds:
 // identities to 1e-12, limits to 1e-9 relative unless said; `goes to zero` when 100 times the steps leave
 // less than a tenth; ranks by singular values; means over runs by their 99.9 % intervals.
-#include <Eigen/LU>
-
 #include "experiments/common.hpp"
 #include "experiments/linear_filter.hpp"
 #include "experiments/text_claims.hpp"
-#include "incognita/math/random.hpp"
 #include "incognita/models/motion/planar_vehicle.hpp"
 
 namespace incognita {
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-using monobot::Decorrelated;
-using monobot::Setup;
+using namespace monobot;
 
 // The three properties at the head of Section 3.1 -----------------------------------------------------
 
@@ -29,7 +23,7 @@ Claim determinants_fall() {
   int submatrices = 0;
   for (const Setup& setup :
        {Setup{.landmarks = 4}, Setup{.landmarks = 4, .robot_var_m2 = 1, .landmark_var_m2 = {}}}) {
-    const auto P = monobot::course(setup).posterior;
+    const auto P = course(setup).posterior;
     for (unsigned chosen = 1; chosen < 16; ++chosen, ++submatrices) {
       std::vector<int> rows;
       for (int i = 0; i < 4; ++i)
@@ -42,9 +36,9 @@ Claim determinants_fall() {
       "text-3.1-determinants", "Section 3.1, property (1)",
       "The determinant of any submatrix of the map's covariance decreases monotonically",
       {.printed = "decreases",
-       .measured = fmt::format(
-           "largest relative rise at a step, {} principal submatrices of four landmarks, 100 steps: {}",
-           submatrices, below(rise))},
+       .measured =
+           {"largest relative rise at a step, {} principal submatrices of four landmarks, 100 steps: {}",
+            submatrices, below(rise)}},
       rise <= rounding_error);
 }
 
@@ -55,14 +49,13 @@ Claim fully_correlated() {
     missing.push_back(1 - correlation(after({.landmarks = 2}, static_cast<int>(k))));
     anchored.push_back(correlation(after({.landmarks = 2, .anchored = true}, static_cast<int>(k))));
   }
-  return assessed(
-      "text-3.1-correlated", "Section 3.1, property (2)",
-      "In the limit the landmarks are fully correlated: 1 - correlation goes to zero",
-      {.printed = "1",
-       .measured = fmt::format("1 - correlation of two landmarks after 100, 1000, 10000 steps: {:.2g}, as "
-                               "step^{:.2f}. Not so with an anchor: correlation {:.2f} then",
-                               fmt::join(missing, ", "), exponent_of(steps, missing), anchored[2])},
-      missing[2] < 0.1 * missing[0]);
+  return assessed("text-3.1-correlated", "Section 3.1, property (2)",
+                  "In the limit the landmarks are fully correlated: 1 - correlation goes to zero",
+                  {.printed = "1",
+                   .measured = {"1 - correlation of two landmarks after 100, 1000, 10000 steps: {:.2g}, as "
+                                "step^{:.2f}. Not so with an anchor: correlation {:.2f} then",
+                                fmt::join(missing, ", "), exponent_of(steps, missing), anchored[2]}},
+                  missing[2] < 0.1 * missing[0]);
 }
 
 // Observability, controllability ----------------------------------------------------------------------
@@ -72,22 +65,21 @@ Claim four_kinds() {
   for (const bool anchored : {false, true})
     for (const bool noisy : {false, true}) {
       const Setup setup{.anchored = anchored};
-      const LinearSystem s = noisy ? with_noisy_landmarks(setup) : monobot::system(setup);
+      const LinearSystem s = noisy ? with_noisy_landmarks(setup) : system(setup);
       const MatrixXd at_100 = filtered(s, start_of(setup), 100), at_10000 = filtered(s, at_100, 9900);
       const double least_100 = smallest_eigenvalue(at_100), least_10000 = smallest_eigenvalue(at_10000);
       const bool bounded = at_10000.trace()<2 * at_100.trace(), regular = least_10000> 0.1 * least_100;
-      cases.add({fmt::format("{}, {}: trace {:.3g} to {:.3g} m^2, smallest eigenvalue {:.2g} to {:.2g} m^2",
-                             anchored ? "observable" : "not observable",
-                             noisy ? "controllable" : "not controllable", at_100.trace(), at_10000.trace(),
-                             least_100, least_10000),
+      cases.add({{"{}, {}: trace {:.3g} to {:.3g} m^2, smallest eigenvalue {:.2g} to {:.2g} m^2",
+                  anchored ? "observable" : "not observable", noisy ? "controllable" : "not controllable",
+                  at_100.trace(), at_10000.trace(), least_100, least_10000},
                  (!anchored || bounded) && (!noisy || regular)});
     }
   return assessed(
       "text-3.1-two-conditions", "Section 3.1",
       "Observability keeps the covariance from becoming unbounded, controllability from becoming singular",
-      {.measured = fmt::format("between 100 and 10000 steps: {}. Neither is necessary: the monobot without "
-                               "anchor and noise has none and stays bounded and regular",
-                               cases.text())},
+      {.measured = {"between 100 and 10000 steps: {}. Neither is necessary: the monobot without anchor and "
+                    "noise has none and stays bounded and regular",
+                    cases.text()}},
       cases.hold());
 }
 
@@ -112,9 +104,9 @@ Claim unique_limit() {
                   "Observable and controllable, the Riccati equation converges to a unique positive definite "
                   "solution, whatever the first covariance; to 1e-9",
                   {.printed = "unique",
-                   .measured = fmt::format("20 first covariances each, 1 to 3 landmarks: largest relative "
-                                           "difference {}, smallest eigenvalue {:.4f} m^2",
-                                           below(spread), least),
+                   .measured = {"20 first covariances each, 1 to 3 landmarks: largest relative difference "
+                                "{}, smallest eigenvalue {:.4f} m^2",
+                                below(spread), least},
                    .runs = 60},
                   settled && spread <= 1e-9 && least > 1e-6);
 }
@@ -127,9 +119,9 @@ Claim uncorrupted_states() {
       "text-3.1-uncorrupted", "Section 3.1, Section 3.5",
       "Under partial controllability the variances of the states that no noise reaches are driven to zero",
       {.printed = "0 m^2",
-       .measured = fmt::format(
-           "the landmark's after 100 and 10000 steps: {:.4f}, {:.4f} m^2; with an anchor {:.1e}, {:.1e} m^2",
-           free_100, free_10000, anchored_100, anchored_10000),
+       .measured =
+           {"the landmark's after 100 and 10000 steps: {:.4f}, {:.4f} m^2; with an anchor {:.1e}, {:.1e} m^2",
+            free_100, free_10000, anchored_100, anchored_10000},
        .why = "only where they can be observed as well"},
       free_10000 < 0.1 * free_100, anchored_10000 < 0.1 * anchored_100);
 }
@@ -139,21 +131,20 @@ Claim known_states_stay() {
   double largest = 0;
   for (int i = 0; i < 200; ++i) {
     const Setup setup{.landmarks = 1 + random.below(4), .anchored = random.below(2) == 1};
-    const int n = monobot::states(setup);
+    const int n = states(setup);
     VectorXd known = VectorXd::NullaryExpr(n, [&] { return random.normal(); }).normalized();
     const MatrixXd A = MatrixXd::NullaryExpr(n, n, [&] { return random.normal(); });
     const MatrixXd M = A - known * (known.transpose() * A);
-    const MatrixXd K = kalman_gain(monobot::system(setup), M * M.transpose());
+    const MatrixXd K = kalman_gain(system(setup), M * M.transpose());
     largest = std::max(largest, (known.transpose() * K).norm());
   }
-  return assessed(
-      "text-3.1-known-states", "Section 3.1",
-      "For states that are known perfectly by a semi-definite covariance the gain is zero, and the estimate "
-      "remains as it is; to 1e-12",
-      {.printed = "0",
-       .measured = fmt::format("largest gain along the null vector of 200 covariances: {}", below(largest)),
-       .runs = 200},
-      largest <= rounding_error);
+  return assessed("text-3.1-known-states", "Section 3.1",
+                  "For states that are known perfectly by a semi-definite covariance the gain is zero, and "
+                  "the estimate remains as it is; to 1e-12",
+                  {.printed = "0",
+                   .measured = {"largest gain along the null vector of 200 covariances: {}", below(largest)},
+                   .runs = 200},
+                  largest <= rounding_error);
 }
 
 // Error dynamics --------------------------------------------------------------------------------------
@@ -164,9 +155,9 @@ Claim error_equation() {
   for (const bool anchored : {false, true})
     for (const int n : {1, 3}) {
       const Setup setup{.landmarks = n, .anchored = anchored};
-      const LinearSystem s = monobot::system(setup);
-      const auto gain = monobot::course(setup).gain;
-      const monobot::Run run = monobot::simulate(setup, 1);
+      const LinearSystem s = system(setup);
+      const auto gain = course(setup).gain;
+      const Run run = simulate(setup, 1);
       const MatrixXd e = run.error();
       for (int k = 1; k <= setup.steps; ++k) {
         const VectorXd v = run.truth.col(k) - run.truth.col(k - 1),
@@ -178,14 +169,14 @@ Claim error_equation() {
     }
   return assessed(
       "text-3.2-dynamics", "(3.2)", "e_{k+1} = (F - KHF) e_k + (I - KH) v_k - K w_{k+1}, to 1e-12",
-      {.measured = fmt::format(
-           "largest difference from the engine's errors, four runs of 100 steps, in m: {}", below(off))},
+      {.measured = {"largest difference from the engine's errors, four runs of 100 steps, in m: {}",
+                    below(off)}},
       off <= rounding_error);
 }
 
 Claim one_pole() {
   const Cases cases = by_number({1, 2, 5, 10}, [](int n) -> CaseResult {
-    const LinearSystem s = monobot::system({.landmarks = n});
+    const LinearSystem s = system({.landmarks = n});
     const MatrixXd K = kalman_gain(s, predicted(s, after({.landmarks = n}, 100)));
     const VectorXd poles = eigenvalues(error_dynamics(s, K));
     const auto on_circle = (poles.array() > 1 - 1e-6).count();
@@ -195,16 +186,16 @@ Claim one_pole() {
                   "Partial observability puts one eigenvalue of F - KHF on the unit circle (to 1e-6), for "
                   "any number of landmarks",
                   {.printed = "one",
-                   .measured = fmt::format("on the circle after 100 steps, by number of landmarks: {}. With "
-                                           "n landmarks n - 1 more go there as one over the number of steps",
-                                           cases.text())},
+                   .measured = {"on the circle after 100 steps, by number of landmarks: {}. With n landmarks "
+                                "n - 1 more go there as one over the number of steps",
+                                cases.text()}},
                   cases.hold());
 }
 
 Claim unstable_system() {
-  LinearSystem s = monobot::system({.anchored = true});
+  LinearSystem s = system({.anchored = true});
   s.F(0, 0) = 1.1;
-  MatrixXd P = Eigen::Vector2d(1, 1).asDiagonal(), kept = MatrixXd::Identity(2, 2);
+  MatrixXd P = Vector2d(1, 1).asDiagonal(), kept = MatrixXd::Identity(2, 2);
   double at_100 = 0;
   for (int k = 1; k <= 10'000; ++k) {
     P = predicted(s, P);
@@ -217,41 +208,33 @@ Claim unstable_system() {
                   "Asymptotic stability of the filter needs observability, not a stable system: the first "
                   "error goes to zero even when the robot's own grows by a tenth each step",
                   {.printed = "stable",
-                   .measured = fmt::format("norm of what is left of the first error after 100 and 10000 "
-                                           "steps, with an anchor: {:.1e}, {:.1e}",
-                                           at_100, kept.norm())},
+                   .measured = {"norm of what is left of the first error after 100 and 10000 steps, with an "
+                                "anchor: {:.1e}, {:.1e}",
+                                at_100, kept.norm()}},
                   kept.norm() < 0.1 * at_100);
 }
 
 Claim decorrelation_needs_observability() {
   const auto growth = [](bool anchored) {
     const Setup setup{.anchored = anchored, .decorrelated = Decorrelated::everything, .steps = 1000};
-    const auto P = monobot::course(setup).posterior;
+    const auto P = course(setup).posterior;
     return P[1000].trace() / P[500].trace();
   };
   const double free = growth(false), anchored = growth(true);
-  return assessed(
-      "text-1-decorrelation", "Section 1.4, Section 2.2.1",
-      "Whether decorrelating the covariance is stable depends on whether the system is observable: full "
-      "decorrelation diverges without the anchor and not with it",
-      {.measured = fmt::format("trace after 1000 steps over that after 500: {:.3f} without, {:.3f} with",
-                               free, anchored)},
-      free > 1.5 && anchored < 1.01);
+  return assessed("text-1-decorrelation", "Section 1.4, Section 2.2.1",
+                  "Whether decorrelating the covariance is stable depends on whether the system is "
+                  "observable: full decorrelation diverges without the anchor and not with it",
+                  {.measured = {"trace after 1000 steps over that after 500: {:.3f} without, {:.3f} with",
+                                free, anchored}},
+                  free > 1.5 && anchored < 1.01);
 }
 
 }  // namespace
 
 std::vector<Claim> chapter_3_stability_claims() {
-  return {decorrelation_needs_observability(),
-          determinants_fall(),
-          fully_correlated(),
-          four_kinds(),
-          unique_limit(),
-          uncorrupted_states(),
-          known_states_stay(),
-          unstable_system(),
-          error_equation(),
-          one_pole()};
+  return concatenated({decorrelation_needs_observability(), determinants_fall(), fully_correlated(),
+                       four_kinds(), unique_limit(), uncorrupted_states(), known_states_stay(),
+                       unstable_system(), error_equation(), one_pole()});
 }
 
 }  // namespace incognita

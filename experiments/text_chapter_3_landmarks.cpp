@@ -2,8 +2,6 @@
 // remedies (Sections 3.1 to 3.5).
 //
 // Experiment and limits as in text_chapter_3.cpp.
-#include <Eigen/LU>
-
 #include "experiments/common.hpp"
 #include "experiments/linear_filter.hpp"
 #include "experiments/text_claims.hpp"
@@ -12,23 +10,21 @@
 namespace incognita {
 namespace {
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-using monobot::Setup;
+using namespace monobot;
 
 Claim constant_error(int seeds) {
-  const auto runs = monobot::simulate_all({.steps = 1000}, seeds);
+  const auto runs = simulate_all({.steps = 1000}, seeds);
   double moved = 0;
   for (const auto& run : runs)
     moved = std::max(moved, std::abs(run.estimate(1, 1000) - run.estimate(1, 100)));
-  const auto last = monobot::errors(runs, 1, 1000);
+  const auto last = errors(runs, 1, 1000);
   return assessed("text-3.5-constant-error", "Sections 3.1 and 3.5",
                   "The estimation error converges to a constant of non-zero mean: over 900 more steps no "
                   "run's landmark moves by 1e-9 m, and the mean over runs of what is left is not 0 to 0.03 m",
                   {.printed = "non-zero-mean constant",
-                   .measured = fmt::format("largest move, in m, {}; rms over runs {}. The constant is one of "
-                                           "each run: its mean over runs is {}",
-                                           below(moved), text(rms_of(last), "m"), text(mean_of(last), "m")),
+                   .measured = {"largest move, in m, {}; rms over runs {}. The constant is one of each run: "
+                                "its mean over runs is {}",
+                                below(moved), text(rms_of(last), "m"), text(mean_of(last), "m")},
                    .why = "each run keeps a constant that is not zero (rms above 0.05 m); over runs its mean "
                           "is zero, because the first estimates err to either side",
                    .seeds = seeds},
@@ -48,27 +44,27 @@ Claim first_observation() {
   return assessed("text-3.5-first-look", "head of Chapter 3, Sections 2.2.1 and 3.5",
                   "Partial observability makes the final map depend on the first observations: an error of 1 "
                   "m in the first measurement is not forgotten, and with an anchor it is",
-                  {.measured = fmt::format("left in the landmark after 100 and 1000 steps: {:.4f} and {:.4f} "
-                                           "m; with an anchor {:.4f} and {:.4f} m",
-                                           free_100, free_1000, anchored_100, anchored_1000)},
+                  {.measured = {"left in the landmark after 100 and 1000 steps: {:.4f} and {:.4f} m; with an "
+                                "anchor {:.4f} and {:.4f} m",
+                                free_100, free_1000, anchored_100, anchored_1000}},
                   free_1000 > 0.99 * free_100 && free_1000 > 0.01 && anchored_1000 < 0.2 * anchored_100);
 }
 
 Claim controllable_dimension() {
   const DifferentialDrive drive{0.3, 0};
   const Cases cases = by_number({1, 2, 5, 10}, [&](int n) -> CaseResult {
-    const int line = rank_of(controllability_matrix(monobot::system({.landmarks = n}))).rank;
-    const auto step = drive.step(Eigen::Vector3d(1, 2, 0.5), Eigen::Vector2d(1, 0.3), 0.5);
+    const int line = rank_of(controllability_matrix(system({.landmarks = n}))).rank;
+    const auto step = drive.step(Vector3d(1, 2, 0.5), Vector2d(1, 0.3), 0.5);
     LinearSystem plane;
     plane.F = MatrixXd::Identity(3 + 2 * n, 3 + 2 * n);
     plane.F.topLeftCorner<3, 3>() = step.F;
     plane.G = MatrixXd::Zero(3 + 2 * n, 2);
     plane.G.topRows<3>() = step.G;
-    plane.Q = Eigen::Vector2d(0.01, 0.001).asDiagonal();
+    plane.Q = Vector2d(0.01, 0.001).asDiagonal();
     plane.H = MatrixXd::Identity(1, 3 + 2 * n);
     plane.R = MatrixXd::Identity(1, 1);
     const int planar = rank_of(controllability_matrix(plane)).rank;
-    return {fmt::format("{} and {}", line, planar), line == 1 && planar == 3};
+    return {{"{} and {}", line, planar}, line == 1 && planar == 3};
   });
   return assessed(
       "text-3.3-controllable", "(3.3)",
@@ -86,15 +82,14 @@ Claim map_determinant() {
       return after({.landmarks = n}, steps).bottomRightCorner(n, n).determinant();
     };
     const double at_100 = determinant(100), at_10000 = determinant(10'000);
-    return {fmt::format("{:.1e}, {:.1e} m^{}", at_100, at_10000, 2 * n), at_10000 < 0.1 * at_100};
+    return {{"{:.1e}, {:.1e} m^{}", at_100, at_10000, 2 * n}, at_10000 < 0.1 * at_100};
   };
   const Cases one = by_number({1}, shrinks), more = by_number({2, 3}, shrinks);
   return assessed(
       "text-3.1-map-determinant", "Section 3.1",
       "The determinant of the landmarks' covariance approaches zero",
       {.printed = "0",
-       .measured =
-           fmt::format("after 100 and 10000 steps, by number of landmarks: {}; {}", one.text(), more.text()),
+       .measured = {"after 100 and 10000 steps, by number of landmarks: {}; {}", one.text(), more.text()},
        .why =
            "from two landmarks on, because their differences become certain; one alone keeps its variance"},
       one.hold() && more.hold(), more.hold());
@@ -109,8 +104,7 @@ Claim perfect_relative_map() {
   return assessed(
       "text-3.1-relative-map", "below Example 3.2",
       "A perfect relative map is produced: the variance of the distance of two landmarks goes to zero",
-      {.printed = "0",
-       .measured = fmt::format("after 100 and 10000 steps: {:.2e}, {:.2e} m^2", at_100, at_10000)},
+      {.printed = "0", .measured = {"after 100 and 10000 steps: {:.2e}, {:.2e} m^2", at_100, at_10000}},
       at_10000 < 0.1 * at_100);
 }
 
@@ -123,7 +117,7 @@ Claim landmarks_stop_moving() {
       const Setup setup{.landmarks = n, .anchored = anchored};
       const double at_20 = after(setup, 20)(1, 1), at_1000 = after(setup, 1000)(1, 1);
       const double share = std::sqrt(std::max(0.0, at_20 - at_1000) / at_20);
-      cases.add({fmt::format("{}{}: {:.2g}", n, anchored ? " and an anchor" : "", share), share < 0.01});
+      cases.add({{"{}{}: {:.2g}", n, anchored ? " and an anchor" : "", share}, share < 0.01});
     }
   return assessed(
       "text-3-small-number", "head of Chapter 3",
@@ -139,9 +133,9 @@ Claim landmarks_stop_moving() {
 
 Claim pseudo_noise_controls() {
   const Cases cases = by_number({1, 2, 5}, [](int n) -> CaseResult {
-    const int without = rank_of(controllability_matrix(monobot::system({.landmarks = n}))).rank;
+    const int without = rank_of(controllability_matrix(system({.landmarks = n}))).rank;
     const int with = rank_of(controllability_matrix(with_noisy_landmarks({.landmarks = n}))).rank;
-    return {fmt::format("{} and {} of {}", without, with, n + 1), with == n + 1};
+    return {{"{} and {} of {}", without, with, n + 1}, with == n + 1};
   });
   return assessed(
       "text-3.3-pseudo-noise", "Section 3.3",
@@ -162,7 +156,7 @@ Claim pseudo_noise_remedies() {
     drifts_as_predicted = drifts_as_predicted && std::abs(drift / predicted_drift - 1) < 1e-6;
     const RiccatiLimit limit = iterate_riccati(anchored, start_of(setup));
     anchored_settles = anchored_settles && limit.settled && limit.K(1, 1) > 1e-3;
-    return {fmt::format("{:.2e} m^2 a step, with an anchor gain {:.3f}", drift, limit.K(1, 1)),
+    return {{"{:.2e} m^2 a step, with an anchor gain {:.3f}", drift, limit.K(1, 1)},
             drift < 1e-3 * predicted_drift};
   });
   return assessed(
@@ -188,11 +182,11 @@ LinearSystem relative(int landmarks) {
 }
 
 Claim remedies() {
-  LinearSystem fixed = monobot::system({.landmarks = 3});  // the first landmark's position is given
+  LinearSystem fixed = system({.landmarks = 3});  // the first landmark's position is given
   fixed.F = MatrixXd::Identity(3, 3);
   fixed.G = VectorXd::Unit(3, 0);
   fixed.H = (MatrixXd(3, 3) << -1, 0, 0, -1, 1, 0, -1, 0, 1).finished();
-  LinearSystem watched = monobot::system({.landmarks = 3});  // an external sensor measures the vehicle
+  LinearSystem watched = system({.landmarks = 3});  // an external sensor measures the vehicle
   watched.H = (MatrixXd(4, 4) << 1, 0, 0, 0, -1, 1, 0, 0, -1, 0, 1, 0, -1, 0, 0, 1).finished();
   watched.R = 0.2 * 0.2 * MatrixXd::Identity(4, 4);
   Cases cases;
@@ -215,30 +209,30 @@ Claim remedies() {
 }
 
 Claim solutions_without_anchor() {
-  const LinearSystem s = monobot::system({});
-  const double p = monobot::relative_variance(0.1, 0.2);
+  const LinearSystem s = system({});
+  const double p = relative_variance(0.1, 0.2);
   double off = 0;
   for (const double c : {0.0, 0.1, 1.0, 10.0}) {
-    const MatrixXd P = MatrixXd::Constant(2, 2, c) + MatrixXd(Eigen::Vector2d(p, 0).asDiagonal());
+    const MatrixXd P = MatrixXd::Constant(2, 2, c) + MatrixXd(Vector2d(p, 0).asDiagonal());
     off = std::max(off, (predicted(s, updated(s, P, kalman_gain(s, P))) - P).norm() / P.norm());
   }
   return assessed(
       "text-3.5-psd-solution", "Section 3.5",
       "Marginal stability leaves at least one positive semi-definite solution of the Riccati equation",
       {.printed = "at least one",
-       .measured = fmt::format(
-           "[c+p c; c c] solves it for every c >= 0 (relative difference {}): from which start decides",
-           below(off))},
+       .measured =
+           {"[c+p c; c c] solves it for every c >= 0 (relative difference {}): from which start decides",
+            below(off)}},
       off <= rounding_error);
 }
 
 }  // namespace
 
 std::vector<Claim> chapter_3_landmark_claims(int seeds) {
-  return {constant_error(seeds),     first_observation(),     controllable_dimension(),
-          map_determinant(),         perfect_relative_map(),  landmarks_stop_moving(),
-          pseudo_noise_controls(),   pseudo_noise_remedies(), remedies(),
-          solutions_without_anchor()};
+  return concatenated({constant_error(seeds), first_observation(), controllable_dimension(),
+                       map_determinant(), perfect_relative_map(), landmarks_stop_moving(),
+                       pseudo_noise_controls(), pseudo_noise_remedies(), remedies(),
+                       solutions_without_anchor()});
 }
 
 }  // namespace incognita

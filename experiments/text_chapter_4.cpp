@@ -8,7 +8,6 @@
 #include <array>
 #include <map>
 
-#include "experiments/chapter_4_parts.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_4_2.hpp"
 
@@ -22,7 +21,7 @@ const Study& of(const std::string& system, int anchors = 0, const std::string& m
 }
 
 const Study& relative(const std::string& system, const std::string& motion = "general") {
-  return study({.system = system, .representation = "relative", .motion = motion});
+  return study(relative_map(system, 1, motion));
 }
 
 std::vector<Claim> partial_or_not() {
@@ -76,10 +75,10 @@ Claim third_step() {
       "Without acceleration the inertial model becomes one of constant velocity, and takes a third step to "
       "full rank of the TOM (relative map)",
       {.printed = "third",
-       .measured = fmt::format("{}: {}. Without gravity the TOM leaves {} after 1/2/3/4/5/6 segments, and "
-                               "the SOM from the third on the turn about the line of travel: {}",
-                               legend, inertial::by_unaccelerated(inertial::relative()),
-                               joined(on.total_dimensions()), yes_no(one_for_good)),
+       .measured = {"{}: {}. Without gravity the TOM leaves {} after 1/2/3/4/5/6 segments, and the SOM from "
+                    "the third on the turn about the line of travel: {}",
+                    legend, inertial::by_unaccelerated(inertial::relative()), joined(on.total_dimensions()),
+                    yes_no(one_for_good)},
        .why = "with f = 0 when it falls. At constant velocity its segments begin on one line, and one "
               "direction remains unobservable, the turn about it; under gravity f = -g, and two steps do"},
       full_from(falls, 3) && full_from(weightless, 3),
@@ -119,17 +118,16 @@ Claim cv_velocities() {
       const Study& s = of(system, anchors);
       const auto recovered = std::ranges::count_if(s.observable(1), is_velocity),
                  wanted = std::ranges::count_if(s.error_states(), is_velocity);
-      always.add({fmt::format("{}, {}: {} of {}", system, anchors, recovered, wanted), recovered == wanted});
+      always.add({{"{}, {}: {} of {}", system, anchors, recovered, wanted}, recovered == wanted});
       from_two = from_two && (anchors == 1 ? recovered == 0 : recovered == wanted);
     }
-  return studied(
-      6, "text-4-cv-velocities", "Section 4.4",
-      "With anchors one segment recovers the velocities of the constant-velocity models",
-      {.printed = "recovered",
-       .measured = fmt::format("velocities outside N(Q_1) with one feature in {} motions, by anchors: {}",
-                               motions, always.text()),
-       .why = "from two anchors on"},
-      always.hold(), from_two);
+  return studied(6, "text-4-cv-velocities", "Section 4.4",
+                 "With anchors one segment recovers the velocities of the constant-velocity models",
+                 {.printed = "recovered",
+                  .measured = {"velocities outside N(Q_1) with one feature in {} motions, by anchors: {}",
+                               motions, always.text()},
+                  .why = "from two anchors on"},
+                 always.hold(), from_two);
 }
 
 void known_acceleration(SystemText& text) {
@@ -156,8 +154,8 @@ Claim accelerations() {
       "zero velocity does",
       {.printed = "do not",
        .measured = lines.text(),
-       .why =
-           "as noise, which they are here. As known inputs they would make lengths and directions observable"},
+       .why = "as noise, which they are here. As known inputs they would make lengths and directions "
+              "observable"},
       unknown_do_not && measured.true_dimension() == constant.true_dimension(),
       unknown_do_not && measured.along_spanned_by(named({"translation"})));  // neither a turn nor a scale
 }
@@ -168,8 +166,8 @@ Claim lower_limit() {
   for (const char* system : {"planar", "inertial", "planar-cv", "cv6"}) {
     const Study& s = study({.system = system, .segments = 6});
     const auto left = s.total_dimensions();
-    settles.add({fmt::format("{} {}", system, s.segments_text()),
-                 left[2] == left[3] && left[3] == left[5] && left[5] > 0});
+    settles.add(
+        {{"{} {}", system, s.segments_text()}, left[2] == left[3] && left[3] == left[5] && left[5] > 0});
     always = always && contain(s.total(6), s.courses(), named({"translation"})) &&
              of(system).along_contains(named({"translation"}));
   }
@@ -177,9 +175,9 @@ Claim lower_limit() {
                  "World-centric maps reach a lower limit of unobservable modes; the global position is among "
                  "them however many segments",
                  {.printed = "a limit",
-                  .measured = fmt::format("dimensions left by SOM and TOM after 1/2/3/4/5/6 segments: {}; "
-                                          "translations among them, and left by the motion itself: {}",
-                                          settles.text(), always ? "always" : "not always")},
+                  .measured = {"dimensions left by SOM and TOM after 1/2/3/4/5/6 segments: {}; translations "
+                               "among them, and left by the motion itself: {}",
+                               settles.text(), always ? "always" : "not always"}},
                  settles.hold() && always);
 }
 
@@ -204,10 +202,8 @@ Claim becomes_observable() {
 
 LedgerEntry run(const ExperimentSettings& settings) {
   return entry_of(text_chapter_4, settings,
-                  concatenated({method_claims(),
-                                partial_or_not(),
-                                {third_step(), exteroceptive_only(), cv_velocities(), accelerations(),
-                                 lower_limit(), becomes_observable()}}));
+                  {method_claims(), partial_or_not(), third_step(), exteroceptive_only(), cv_velocities(),
+                   accelerations(), lower_limit(), becomes_observable()});
 }
 
 }  // namespace

@@ -5,11 +5,8 @@
 // frozen F and H, which Simpson's rule integrates exactly, as F is nilpotent; `planar` with one feature and
 // four anchors, where H is square and H H' can be had. 100 random systems of six states, two of which are not
 // observable, for (4.2). 20 segments of 0.05 s for short ones.
-#include <Eigen/QR>
-
-#include "experiments/chapter_4_parts.hpp"
 #include "experiments/common.hpp"
-#include "incognita/math/random.hpp"
+#include "experiments/observability_claims.hpp"
 
 namespace incognita::observability_claims {
 namespace {
@@ -33,21 +30,20 @@ Claim gramian_claim() {
   return studied(
       "text-4-gramian", "(4.1)", "The null space of the Gramian is what cannot be observed: that of (4.2)",
       {.printed = "with H H'",
-       .measured = fmt::format("Q_1 leaves {} in {} motions (one feature, four anchors, where H "
-                               "is square); the Gramian with H H' {}, {}; with H' H {}, {}",
-                               s.left(1), motions, joined({dimension(printed)}),
-                               is_that ? "the same" : "not the same", joined({dimension(corrected)}),
-                               ours_is ? "the same" : "not the same"),
-       .why = "H' H; with as many measurements as states H H' is another matrix, else the product "
-              "does not exist"},
+       .measured = {"Q_1 leaves {} in {} motions (one feature, four anchors, where H is square); the Gramian "
+                    "with H H' {}, {}; with H' H {}, {}",
+                    s.left(1), motions, joined({dimension(printed)}), is_that ? "the same" : "not the same",
+                    joined({dimension(corrected)}), ours_is ? "the same" : "not the same"},
+       .why = "H' H; with as many measurements as states H H' is another matrix, else the product does not "
+              "exist"},
       is_that, ours_is);
 }
 
-MatrixXd some_matrix(RandomStream& random, Eigen::Index rows, Eigen::Index columns) {
+MatrixXd some_matrix(RandomStream& random, Index rows, Index columns) {
   return MatrixXd::NullaryExpr(rows, columns, [&] { return random.normal(); });
 }
 
-MatrixXd some_rotation(RandomStream& random, Eigen::Index n) {
+MatrixXd some_rotation(RandomStream& random, Index n) {
   return Eigen::HouseholderQR<MatrixXd>(some_matrix(random, n, n)).householderQ();
 }
 
@@ -72,9 +68,9 @@ Claim steps() {
   }
   return assessed(
       "text-4-steps", "below (4.1)", "What is unobservable over n steps is unobservable over any number",
-      {.measured = fmt::format(
-           "{} random systems of 6 states, 2 of them not observable: left after 6 and after 30 steps: {}",
-           systems, same_space ? "2 in all" : "not the same in all"),
+      {.measured =
+           {"{} random systems of 6 states, 2 of them not observable: left after 6 and after 30 steps: {}",
+            systems, same_space ? "2 in all" : "not the same in all"},
        .runs = systems},
       same_space);
 }
@@ -84,8 +80,7 @@ std::vector<Case> many_cases() {
   for (const char* system : {"planar", "planar-rb", "planar-cv", "inertial", "inertial-rb", "cv6"}) {
     for (const int anchors : {0, 1, 2, 3}) all.push_back({.system = system, .anchors = anchors});
     if (std::string(system) == "cv6") continue;
-    for (const int features : {1, 2, 3})
-      all.push_back({.system = system, .representation = "relative", .features = features});
+    for (const int features : {1, 2, 3}) all.push_back(relative_map(system, features));
   }
   return all;
 }
@@ -102,9 +97,9 @@ Claim condition() {
   }
   return studied(met + others, "text-4-condition", "(4.9), (4.10)",
                  "Where N(Q_j) is within N(F_j), SOM and TOM have the same null space",
-                 {.measured = fmt::format("(4.9) holds in {} of {} cases, in {} of them the null spaces are "
-                                          "the same; of the other {} cases the dimensions are in {}",
-                                          met, met + others, kept, others, others_kept)},
+                 {.measured = {"(4.9) holds in {} of {} cases, in {} of them the null spaces are the same; "
+                               "of the other {} cases the dimensions are in {}",
+                               met, met + others, kept, others, others_kept}},
                  met > 0 && met == kept);
 }
 
@@ -138,19 +133,17 @@ Claim piecewise() {
         "SOM and TOM have too high a rank: H is frozen in a segment while F moves the vehicle, so that H F "
         "is not the change of H";
   if (no_better) why += ". Shorter segments do not help";
-  return studied(
-      9, "text-4-piecewise", "below (4.2), of [55]",
-      "Piecewise constant segments keep the characteristic behavior: the TOM leaves what the motion itself "
-      "leaves",
-      {.printed = "no loss",
-       .measured = fmt::format(
-           "{}. Lie derivatives, at one point each, leave {} the motion does. 20 "
-           "short segments on the plane: SOM and TOM leave {} and {}, the motion {}. The turn of all is "
-           "observable by H F, but neither by H nor by the motion: {}",
-           all.text(), by_lie == in_truth ? "what" : "not what", joined({fine.left(20)}), joined({of_fine}),
-           joined({fine.true_dimension()}), yes_no(turn)),
-       .why = why},
-      left == in_truth && by_lie == in_truth && of_fine == fine.true_dimension());
+  return studied(9, "text-4-piecewise", "below (4.2), of [55]",
+                 "Piecewise constant segments keep the characteristic behavior: the TOM leaves what the "
+                 "motion itself leaves",
+                 {.printed = "no loss",
+                  .measured = {"{}. Lie derivatives, at one point each, leave {} the motion does. 20 short "
+                               "segments on the plane: SOM and TOM leave {} and {}, the motion {}. The turn "
+                               "of all is observable by H F, but neither by H nor by the motion: {}",
+                               all.text(), by_lie == in_truth ? "what" : "not what", joined({fine.left(20)}),
+                               joined({of_fine}), joined({fine.true_dimension()}), yes_no(turn)},
+                  .why = why},
+                 left == in_truth && by_lie == in_truth && of_fine == fine.true_dimension());
 }
 
 Claim one_measurement() {
@@ -165,13 +158,12 @@ Claim one_measurement() {
     });
     lines.push_back(fmt::format("{} {}", system, joined(left)));
   }
-  return studied(
-      16, "text-4-one-look", "head of Chapter 4",
-      "One measurement step leaves bearing-only SLAM unobservable",
-      {.printed = "unobservable",
-       .measured = fmt::format("dimensions left by one measurement of one feature, with 0/1/2/3 anchors: {}",
-                               fmt::join(lines, "; "))},
-      never);
+  return studied(16, "text-4-one-look", "head of Chapter 4",
+                 "One measurement step leaves bearing-only SLAM unobservable",
+                 {.printed = "unobservable",
+                  .measured = {"dimensions left by one measurement of one feature, with 0/1/2/3 anchors: {}",
+                               fmt::join(lines, "; ")}},
+                 never);
 }
 
 std::vector<Claim> without_parallax() {
@@ -185,20 +177,19 @@ std::vector<Claim> without_parallax() {
   const Study& s = study(straight);
   const bool distance_alone = s.along_spanned_by(named({"depth"}));
   return {
-      studied(
-          turned.cases(), "text-4-turning", "head of Chapter 4",
-          "A purely rotating camera has no information about the distance of a feature, however well its pose is "
-          "known by anchors",
-          {.printed = "nothing",
-           .measured = fmt::format("{}; what is left is the distance: {}", turned.text(), yes_no(both))},
-          both),
+      studied(turned.cases(), "text-4-turning", "head of Chapter 4",
+              "A purely rotating camera has no information about the distance of a feature, however well its "
+              "pose is known by anchors",
+              {.printed = "nothing",
+               .measured = {"{}; what is left is the distance: {}", turned.text(), yes_no(both)}},
+              both),
       studied(
           2, "text-4-line-of-sight", "head of Chapter 4",
           "The distance of a feature on the line along which the camera moves is not observable",
           {.printed = "does not",
-           .measured = fmt::format(
-               "{}, with two anchors, straight on: {}; with the feature straight ahead {}: its distance, {}",
-               legend, aside.numbers(), s.numbers(), yes_no(distance_alone))},
+           .measured =
+               {"{}, with two anchors, straight on: {}; with the feature straight ahead {}: its distance, {}",
+                legend, aside.numbers(), s.numbers(), yes_no(distance_alone)}},
           distance_alone && fully_observable(aside))};
 }
 
@@ -206,7 +197,7 @@ std::vector<Claim> without_parallax() {
 
 std::vector<Claim> method_claims() {
   return concatenated(
-      {{one_measurement()}, without_parallax(), {gramian_claim(), steps(), condition(), piecewise()}});
+      {one_measurement(), without_parallax(), gramian_claim(), steps(), condition(), piecewise()});
 }
 
 }  // namespace incognita::observability_claims

@@ -51,8 +51,8 @@ Plot riccati_limits() {
 
 LedgerEntry run(const ExperimentSettings& settings) {
   return entry_of(text_chapters_1_to_3, settings,
-                  concatenated({chapter_2_claims(settings.seeds), chapter_3_stability_claims(),
-                                chapter_3_landmark_claims(settings.seeds)}),
+                  {chapter_2_claims(settings.seeds), chapter_3_stability_claims(),
+                   chapter_3_landmark_claims(settings.seeds)},
                   {riccati_limits()});
 }
 

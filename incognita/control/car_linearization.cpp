@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "incognita/control/feedback_linearization.hpp"
+#include "incognita/messages/unfit_setting.hpp"
 #include "incognita/models/motion/planar_frame.hpp"
 
 namespace incognita {
@@ -55,6 +56,15 @@ CarCommand car_for_velocity(const AckermannCar& car, double heading, const Vecto
       too_tight || too_fast};
 }
 
+/// The turn rate of a car follows from its steering angle and speed.
+static UnfitSetting of_car(UnfitSetting unfit) {
+  const auto turns = std::find(unfit.keys.begin(), unfit.keys.end(), "controller.max_turn_rate_rad_s");
+  if (turns == unfit.keys.end()) return unfit;
+  *turns = "controller.max_steering_rad";
+  unfit.keys.emplace_back("controller.max_speed_m_s");
+  return unfit;
+}
+
 CarLinearization::CarLinearization(const CarLinearizationSettings& settings)
     : car_(settings.car), limits_(settings.limits) {
   if (!(car_.wheelbase_m > 0)) throw std::invalid_argument("the wheelbase must be positive");
@@ -62,13 +72,17 @@ CarLinearization::CarLinearization(const CarLinearizationSettings& settings)
     throw std::invalid_argument("the steering limit must lie between 0 and pi/2 rad");
   const double tightest = tightest_curvature(car_, limits_);
   if (!(tightest * std::abs(car_.wheel_left_m) < 1)) {
-    throw std::invalid_argument(
+    throw UnfitSetting(
+        {"controller.max_steering_rad", "vehicle.wheel_left_m", "vehicle.wheelbase_m"},
         "at the steering limit the wheel whose speed is measured would be the center of the turn, or beyond "
         "it");
   }
   const PlanarLimits as_planar{limits_.max_speed_m_s, tightest * limits_.max_speed_m_s};
-  const FeedbackLinearization same_law(
-      {car_.body, settings.gain_per_s, settings.hold_s, as_planar});  // or throws
+  try {
+    const FeedbackLinearization same_law({car_.body, settings.gain_per_s, settings.hold_s, as_planar});
+  } catch (const UnfitSetting& unfit) {
+    throw of_car(unfit);
+  }
   K_ = settings.gain_per_s;
 }
 

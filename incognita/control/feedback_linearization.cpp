@@ -36,7 +36,7 @@ FeedbackLinearization::FeedbackLinearization(const LinearizationSettings& settin
         "the control point must be before or behind the axle: on its line it cannot move sideways");
   }
   if (const auto why = gain_refusal(settings.gain_per_s, settings.hold_s, limits_.max_turn_rate_rad_s))
-    throw std::invalid_argument(*why);
+    throw *why;
   K_ = settings.gain_per_s;
 }
 

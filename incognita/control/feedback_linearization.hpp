@@ -45,8 +45,8 @@ struct LinearizationSettings {
 
 class FeedbackLinearization {
  public:
-  /// Throws std::invalid_argument if the law would be singular or if its held commands might not converge
-  /// (held_command.hpp); the message states the reason.
+  /// Throws std::invalid_argument if the law would be singular, and UnfitSetting if its held commands might not
+  /// converge (held_command.hpp); the message states the reason.
   explicit FeedbackLinearization(const LinearizationSettings& settings);
 
   /// Command for the next `hold_s`. A saturated command still moves the control point in the desired direction.

@@ -28,6 +28,8 @@
 #include <optional>
 #include <string>
 
+#include "incognita/messages/unfit_setting.hpp"
+
 namespace incognita {
 
 /// Upper bound of the gain k of K = k I, 1/s: 2 a cot(a) / dt with a = max_turn_rate dt / 2. Not positive if
@@ -36,7 +38,7 @@ double gain_bound_per_s(double max_turn_rate_rad_s, double hold_s);
 
 /// Reason why the gain K (1/s) is invalid for commands held for `hold_s` at up to that turn rate: not 2 x 2, not
 /// symmetric positive definite, or too large for the sampled integrator or for the vehicle. Empty if valid.
-std::optional<std::string> gain_refusal(const Eigen::MatrixXd& K, double hold_s, double max_turn_rate_rad_s);
+std::optional<UnfitSetting> gain_refusal(const Eigen::MatrixXd& K, double hold_s, double max_turn_rate_rad_s);
 
 /// Reason why these gains on an error (1/s^2) and its rate (1/s) are invalid for accelerations held for
 /// `hold_s`: not positive and finite, or an unstable sampled double integrator. Empty if valid.

@@ -41,6 +41,10 @@ Regulation regulate(const MatrixXd& F, const MatrixXd& G, const VectorXd& x_hat,
   return answer;
 }
 
+UnfitSetting without_gain(const std::string& reason) {
+  return {{"controller.weight_state", "controller.weight_input", "run.rate_hz"}, reason};
+}
+
 PlanarRegulator::PlanarRegulator(const PlanarRegulatorSettings& settings) : settings_(settings) {
   settings_.limits.check();
   if (!(settings_.period_s > 0) || !std::isfinite(settings_.period_s))
@@ -51,7 +55,7 @@ PlanarRegulator::PlanarRegulator(const PlanarRegulatorSettings& settings) : sett
 Eigen::Matrix2d PlanarRegulator::gain_at(double heading) const {
   const Eigen::Matrix2d G = point_velocity_by_input(settings_.body, heading) * settings_.period_s;
   const SteadyGain gain = steady_gain(Eigen::Matrix2d::Identity(), G, settings_.Q1, settings_.Q2);
-  if (gain.outcome != RegulatorOutcome::converged) throw std::invalid_argument(gain.reason);
+  if (gain.outcome != RegulatorOutcome::converged) throw without_gain(gain.reason);
   return gain.L;
 }
 

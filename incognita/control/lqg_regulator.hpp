@@ -17,6 +17,7 @@
 
 #include "incognita/control/lqr.hpp"
 #include "incognita/control/planar_command.hpp"
+#include "incognita/messages/unfit_setting.hpp"
 #include "incognita/models/motion/planar_vehicle.hpp"
 
 namespace incognita {
@@ -39,6 +40,9 @@ Regulation regulate(const Eigen::MatrixXd& F, const Eigen::MatrixXd& G, const Ei
                     const Eigen::VectorXd& goal, const RegulatorWeights& weights,
                     const Eigen::VectorXd& largest);
 
+/// The refusal of weights that have no gain, for that reason.
+UnfitSetting without_gain(const std::string& reason);
+
 struct PlanarRegulatorSettings {
   DifferentialDrive body{0.3, 0};                    ///< its control point; forward_m must not be 0
   Eigen::Matrix2d Q1 = Eigen::Matrix2d::Identity();  ///< position, world, 1/m^2
@@ -54,7 +58,8 @@ struct PlanarRegulation {
 
 class PlanarRegulator {
  public:
-  /// Throws std::invalid_argument if these settings admit no regulator; the message states the reason.
+  /// Throws std::invalid_argument if these settings admit no regulator, UnfitSetting if the weights have no gain; the
+  /// message states the reason.
   explicit PlanarRegulator(const PlanarRegulatorSettings& settings);
 
   /// (5.6) with the Jacobians at the estimate. A saturated command keeps its direction.

@@ -175,9 +175,9 @@ std::string_view sentence(RegulatorOutcome outcome) {
     case RegulatorOutcome::cost_not_definite:
       return "the cost is not one: Q1 must be symmetric and positive semi-definite, Q2 definite";
     case RegulatorOutcome::not_stabilizable:
-      return "no gain stabilises: the inputs do not reach a mode that does not die out by itself";
+      return "no gain stabilizes: the inputs do not reach a mode that does not die out by itself";
     case RegulatorOutcome::not_detectable:
-      return "the cheapest gain would not stabilise: a mode that does not die out by itself costs nothing";
+      return "the cheapest gain would not stabilize: a mode that does not die out by itself costs nothing";
     case RegulatorOutcome::not_converged:
       return "the recursion (5.4) did not settle";
   }

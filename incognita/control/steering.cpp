@@ -12,13 +12,12 @@
 #include "incognita/control/planar_tracking.hpp"
 #include "incognita/control/steering_validation.hpp"
 #include "incognita/control/track_reference.hpp"
+#include "incognita/messages/unfit_setting.hpp"
 #include "incognita/models/motion/heading.hpp"
 #include "incognita/models/motion/held_acceleration.hpp"
 
 namespace incognita {
 namespace {
-
-[[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
 
 SmallVector within(const SmallVector& input, const SmallVector& most) {
   return input.cwiseMax(-most).cwiseMin(most);
@@ -52,7 +51,7 @@ Eigen::MatrixXd gain_of(const LinearPlant& plant, const SteeringSettings& s) {
   const auto n = plant.F.rows(), m = plant.G.cols();
   const SteadyGain gain =
       steady_gain(plant.F, plant.G, diagonal(s.weight_state, n), diagonal(s.weight_input, m));
-  if (gain.outcome != RegulatorOutcome::converged) refuse(gain.reason);
+  if (gain.outcome != RegulatorOutcome::converged) throw without_gain(gain.reason);
   return gain.L;
 }
 
@@ -250,7 +249,7 @@ struct SteeringFactory {
     }
     return none();
   }
-  /// validate_steering() gives the reason before.
+  /// check_steering() gives the reason before.
   [[noreturn]] static std::unique_ptr<Steering> none() {
     throw std::logic_error("a law that does not steer the motion");
   }
@@ -275,10 +274,14 @@ std::unique_ptr<Steering> make_steering(const AnyMotion& motion, const SteeringS
                                         double period_s) {
   SteeringSettings s = settings;
   s.law = law_of(motion, settings.law);
-  const std::string problem = validate_steering(motion, s, period_s);
-  if (!problem.empty()) refuse(problem);
-  if (s.law == ControlLaw::none) return std::make_unique<HeldInput>(s.input);
-  return std::visit(SteeringFactory{s, period_s}, motion);
+  try {
+    check_steering(motion, s, period_s);
+    if (s.law == ControlLaw::none) return std::make_unique<HeldInput>(s.input);
+    return std::visit(SteeringFactory{s, period_s}, motion);
+  } catch (UnfitSetting& unfit) {
+    unfit.keys.emplace_back("controller.law");  // another law may fit
+    throw;
+  }
 }
 
 }  // namespace incognita

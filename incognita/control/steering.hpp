@@ -33,7 +33,8 @@ class Steering {
 
 /// `period_s`: duration of one command. Throws std::invalid_argument, with the reason, if the law cannot steer that
 /// motion along that path: gains that do not converge with held commands, a control point on the axle, a path too
-/// fast or too tight for the vehicle, wrong sizes, invalid numbers. No command exceeds `most_input`.
+/// fast or too tight for the vehicle, wrong sizes, invalid numbers; UnfitSetting where settings of a scenario are the
+/// cause. No command exceeds `most_input`.
 std::unique_ptr<Steering> make_steering(const AnyMotion& motion, const SteeringSettings& settings,
                                         double period_s);
 

@@ -100,6 +100,49 @@ TEST(Config, ChecksTargetAndImages) {
   EXPECT_HAS(message_of([&] { run({"config", "nothing"}); }), "no such scenario");
 }
 
+std::string refusal(const std::string& scenario, const std::vector<std::string>& sets) {
+  std::vector<std::string> words{"config", scenario, "--check"};
+  for (const std::string& set : sets) words.insert(words.end(), {"--set", set});
+  return message_of([&] { run(words); });
+}
+
+TEST(Config, NamesWhereASequenceOrAStateWasSet) {
+  EXPECT_HAS(refusal("explore-room", {"decision.strategy=fixed-path", "decision.sequence=go_forward jump"}),
+             "--set: decision.sequence: `jump` is none of the actions");
+  EXPECT_HAS(refusal("free-camera", {"estimator.map_frame=vehicle"}), "--set: estimator.map_frame = ");
+}
+
+TEST(Config, ListsEachPlaceOfAFileOnce) {
+  const std::string built_in = refusal("circle", {"points.file=no.csv"});
+  EXPECT_HAS(built_in, "(looked for those built in, ");
+  EXPECT_EQ(built_in.find("those built in"), built_in.rfind("those built in")) << built_in;
+  EXPECT_HAS(refusal("circle", {"points.file=/nowhere/no.csv"}), "(looked for /nowhere/no.csv)");
+}
+
+/// Odometry and detections of one vehicle in the format `tables`, which `auto` detects.
+TEST(Config, RefusesTheRobotsOfARecordingOfOneVehicle) {
+  const Scratch scratch;
+  scratch.write("tables/odometry.csv", "t_s,speed_m_s,turn_rate_rad_s\n0,1,0\n0.1,1,0\n0.2,1,0\n");
+  scratch.write("tables/detections.csv", "t_s,range_m,bearing_rad,identity\n0.1,3,0,1\n0.2,3,0,1\n");
+  const std::string file =
+      scratch
+          .write("s.toml",
+                 "[world]\ntype = \"recording\"\n[sensor]\ntype = \"range-bearing\"\n[vehicle]\n"
+                 "model = \"differential-drive\"\n[recording]\nfolder = \"" +
+                     (scratch / "tables").string() + "\"\n")
+          .string();
+  EXPECT_HAS(run({"config", file, "--check"}).out, "s: valid");
+  EXPECT_HAS(run({"config", file, "--check", "--set", "recording.robot=1"}).out, "s: valid");
+  const std::string robot = refusal(file, {"recording.robot=3"});
+  EXPECT_HAS(robot, "--set: recording.robot = 3: ");
+  EXPECT_HAS(robot, "has the format `tables`, a recording of one vehicle");
+  EXPECT_HAS(robot, "; remove recording.robot");
+  const std::string team = refusal(file, {"recording.team=true"});
+  EXPECT_HAS(team, "--set: recording.team = true: ");
+  EXPECT_HAS(team, "has the format `tables`, a recording of one vehicle");
+  EXPECT_HAS(team, "; take recording.team = false");
+}
+
 TEST(Config, ItsHelpHasAnExample) {
   CLI::App app;
   std::function<int()> job;

@@ -22,11 +22,8 @@ TEST(PointScenario, RefusesAtStartWithTheReason) {
   refused({"points.known=41"}, "points.known", "points.count");
   refused({"start.positions_m=[[0, 0, 1]]"}, "start.positions_m", "z of 0");
   refused({"start.sigma_position_m=100"}, "start.sigma_position_m", "lost");
-  refused({"controller.gain_per_s=[40]"}, "controller.law", "gain");
-  refused({"controller.gain_per_s=[-1]"}, "controller.law", "gain");
   refused({"controller.gain_per_s=[1, 1, 1]"}, "controller.gain_per_s", "1 number or 2");
   refused({"path.rate_rad_s=0"}, "path.rate_rad_s", "must not be 0");
-  refused({"path.rate_rad_s=3"}, "controller.law", "m/s");
   refused({"start.positions_m=[]"}, "start.positions_m", "one for each vehicle");
   refused({"start.headings_rad=[0, 1]"}, "start.headings_rad", "one for each vehicle");
   refused({"path.offsets_m=[[0, 0, 0], [1, 1, 0]]"}, "path.offsets_m", "one for each vehicle");
@@ -73,7 +70,42 @@ TEST(PointScenario, PlantHasTheParametersOfTheModelWithinWiderLimits) {
 TEST(PointScenario, NamesTheConstantInputThatExceedsALimit) {
   const std::string held = text_of({"differential-drive", "range-bearing", "none"});
   const std::string why = complaint(held, {"controller.input=[1, 1]", "controller.max_turn_rate_rad_s=0.5"});
-  EXPECT_NE(why.find("controller.input = [1, 1]"), std::string::npos) << why;
+  EXPECT_NE(why.find("--set: controller.input = [1.0, 1.0]: the constant input exceeds"), std::string::npos)
+      << why;
+  EXPECT_NE(why.find("; here controller.max_turn_rate_rad_s = 0.5 (--set)"), std::string::npos) << why;
+}
+
+/// The setting of the command line is named first: the others fitted each other without it.
+TEST(PointScenario, NamesTheSettingsThatDoNotFitTheControlLaw) {
+  const auto refused = [](const std::string& text, const std::vector<std::string>& sets, const char* first,
+                          const char* other) {
+    const std::string why = complaint(text, sets);
+    EXPECT_TRUE(why.starts_with("--set: " + std::string(first) + " = ")) << why;
+    EXPECT_NE(why.find(other + std::string(" = ")), std::string::npos) << why;
+    EXPECT_NE(why.find("controller.law = "), std::string::npos) << why;
+  };
+  refused(drive, {"controller.gain_per_s=[40]"}, "controller.gain_per_s", "run.rate_hz");
+  refused(drive, {"controller.gain_per_s=[-1]"}, "controller.gain_per_s", "controller.law");
+  refused(drive, {"path.rate_rad_s=3"}, "path.rate_rad_s", "controller.max_speed_m_s");
+  refused(drive, {"controller.max_speed_m_s=0.01"}, "controller.max_speed_m_s", "path.radius_m");
+  refused(drive, {"controller.max_turn_rate_rad_s=0.01"}, "controller.max_turn_rate_rad_s",
+          "path.rate_rad_s");
+  refused(drive, {"run.rate_hz=0.2"}, "run.rate_hz", "controller.gain_per_s");
+  refused(drive, {"controller.law=lqg"}, "controller.law", "path.type");
+  const std::string tracks = text_of({"differential-drive", "range-bearing", "tracking"});
+  refused(tracks, {"controller.gain_along_per_s=100"}, "controller.gain_along_per_s", "run.rate_hz");
+  refused(tracks, {"controller.gain_across_per_m2=1e5"}, "controller.gain_across_per_m2",
+          "controller.gain_heading_per_m");
+  refused(tracks, {"controller.max_turn_rate_rad_s=50"}, "controller.max_turn_rate_rad_s", "run.rate_hz");
+  const std::string lqg = text_of({"differential-drive", "range-bearing", "lqg"});
+  refused(lqg, {"controller.weight_input=[-1]"}, "controller.weight_input", "controller.law");
+  refused(lqg, {"controller.weight_state=[1e300]"}, "controller.weight_state", "controller.weight_input");
+  const std::string flies = text_of({"free-camera", "wide-angle", "feedback-linearization"});
+  refused(flies, {"controller.gain_position_per_s2=1e5"}, "controller.gain_position_per_s2",
+          "controller.gain_velocity_per_s");
+  refused(flies, {"controller.max_acceleration_m_s2=1e-4"}, "controller.max_acceleration_m_s2", "path.type");
+  const std::string car = text_of({"ackermann", "range-bearing", "feedback-linearization"});
+  refused(car, {"controller.max_speed_m_s=1000"}, "controller.max_speed_m_s", "controller.max_steering_rad");
 }
 
 TEST(PointScenario, RefusesTablesWithPositionsOffThePlane) {
@@ -103,7 +135,12 @@ TEST(PointScenario, RefusesGainsAndInputsOfTheWrongLength) {
   EXPECT_NE(complaint(lqg, {"controller.weight_input=[1, 2, 3]"}).find("1 number or 2"), std::string::npos);
   EXPECT_NE(complaint(lqg, {"controller.weight_state=[]"}).find("controller.weight_state"),
             std::string::npos);
-  EXPECT_NE(complaint(lqg, {"controller.weight_input=[-1]"}).find("controller.law"), std::string::npos);
+}
+
+TEST(PointScenario, CountsOneInput) {
+  const std::string line = text_of({"monobot", "range-bearing", "none"});
+  const std::string why = complaint(line, {"controller.input=[1, 2]"});
+  EXPECT_NE(why.find("must have 1 number, one for each input"), std::string::npos) << why;
 }
 
 TEST(PointScenario, RefusesKeysOfAnotherAlternative) {

@@ -106,8 +106,19 @@ TEST(RoomVehicle, IsRefusedWithTheKey) {
   const auto complaint = [](const std::vector<std::string>& sets) {
     return message_of([&] { assemble(load_scenario("rendered-terrain", sets)); });
   };
-  EXPECT_HAS(complaint({"terrain.amplitude_m=3"}),
-             "the terrain rises to 6 m, and must stay 0.5 m under the ceiling: make it lower");
+  EXPECT_HAS(
+      complaint({"terrain.amplitude_m=3"}),
+      "--set: terrain.amplitude_m = 3.0: the terrain rises to 6 m, and must stay 0.5 m under the ceiling: "
+      "make it lower");
+  EXPECT_HAS(
+      complaint({"room.boxes=24", "room.size_m=[6, 4, 2.5]", "start.from=free"}),
+      "--set: room.boxes = 24: that many boxes do not fit along the walls of the room; take fewer; here "
+      "room.size_m = [6.0, 4.0, 2.5] (--set)");
+  EXPECT_HAS(complaint({"controller.gain_per_s=[100]"}), "--set: controller.gain_per_s = [100.0]: the gain");
+  const testing::Scratch scratch;
+  const std::string image = scratch.write("ground.pgm", "P2\n2 2\n255\n0 255\n51 0\n").string();
+  EXPECT_HAS(complaint({"terrain.type=image", "terrain.file=" + image, "terrain.size_m=4"}),
+             "--set: terrain.size_m = 4.0: the terrain must cover the floor of the room");
   EXPECT_HAS(complaint({"room.size_m=[8, 6, 2.5]"}), "start.target = targets/sheet.toml: has a corner at");
 }
 

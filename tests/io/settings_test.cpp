@@ -169,6 +169,46 @@ TEST(Settings, RenamedOnesSayTheirNewName) {
   }
 }
 
+std::size_t lines_of(const std::string& text) {
+  return 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// What a scenario has besides follows from the choice, so that only the choice is certainly wrong.
+TEST(Settings, AWrongChoiceIsTheOnlyProblem) {
+  struct Case {
+    const char *text, *problem;
+  };
+  const Case cases[] = {
+      {"[world]\ntype = \"point\"\n[points]\ncount = 3\n[vehicle]\nmodel = \"ackermann\"\nwheelbase_m = 2\n",
+       "mine.toml:2: world.type = \"point\": must be `room`, `points` or `recording`; the nearest is `points`"},
+      {"[world]\ntype = \"points\"\n[vehicle]\nmodel = \"tricycle\"\nwheelbase_m = 2\nfront_m = 1\n",
+       "mine.toml:4: vehicle.model = \"tricycle\": must be "},
+      {"[start]\nfrom = \"free\"\n[camera]\nmodel = \"fisheye\"\nk1 = 1\nk4 = 1\n",
+       "mine.toml:4: camera.model = \"fisheye\": must be `wide-angle` or `pinhole`"},
+      {"[start]\nfrom = \"free\"\n[birth]\nmethod = \"line\"\n[landmark_initialization]\nparticles = 9\n",
+       "mine.toml:4: `birth.method` is now `landmark_initialization.method`"},
+      {"[run]\nworld = \"points\"\n[points]\ncount = 3\n[vehicle]\nmodel = "
+       "\"ackermann\"\nwheelbase_m = 2\n",
+       "mine.toml:2: `run.world` is now `world.type`"},
+  };
+  for (const Case& one : cases) {
+    const std::string said = complaint(one.text);
+    EXPECT_HAS(said, one.problem);
+    EXPECT_EQ(lines_of(said), 1u) << said;
+  }
+}
+
+TEST(Settings, RenamedSectionsSayTheirNewName) {
+  for (const char* lines : {"", "width_px = 3\n"}) {
+    const std::string said = complaint(free_start + "[birth]\n" + lines);
+    EXPECT_HAS(said, "mine.toml:3: section `birth` is now `landmark_initialization`");
+    EXPECT_EQ(lines_of(said), 1u) << said;
+  }
+  EXPECT_HAS(complaint(free_start, {"lost.frames=3"}), "--set: section `lost` is now `health`");
+  EXPECT_HAS(complaint(free_start + "[serch]\n"), "mine.toml:3: there is no section `serch`");
+  EXPECT_EQ(complaint(free_start + "[points]\n"), "(none)") << "it has no settings to refuse";
+}
+
 TEST(Settings, DefaultsAreTheStructs) {
   const LoadedScenario mine = loaded(free_start);
   for (const SettingInForce& setting : mine.settings) {
@@ -225,7 +265,14 @@ TEST(LoadScenario, RefusesUnknownNamesWithTheNearest) {
   EXPECT_HAS(section, "mine.toml:4: there is no section `serch`; the nearest is `search`");
   EXPECT_HAS(complaint(free_start, {"sensor.sigma_pixel=1"}),
              "--set: there is no setting `sensor.sigma_pixel`; the nearest is `sensor.sigma_pixel_px`");
-  EXPECT_HAS(complaint(free_start, {"run.seed"}), "--set: `run.seed` must be written section.name=value");
+  for (const char* set : {"run.seed", "", "=3", "run=3", "run.=3", ".seed=3"})
+    EXPECT_HAS(complaint(free_start, {set}),
+               "--set: `" + std::string(set) + "` must be written section.name=value");
+  EXPECT_HAS(complaint(free_start + "\"\" = 1\n"),
+             "mine.toml:3: the name is empty; a setting of [start] is written name = value");
+  for (const char* section : {"\"\" = 1\n", "[\"\"]\na = 1\n"})
+    EXPECT_HAS(complaint(section + free_start),
+               "mine.toml:1: the name is empty; a section is written [name]");
   EXPECT_HAS(complaint("run = 3\n" + free_start), "mine.toml:1: run = 3: must be a section, written [run]");
   const std::string scenario = message_of([] { load_scenario("rooom"); });
   EXPECT_HAS(scenario, "rooom: no such scenario file");
@@ -433,6 +480,15 @@ TEST(LoadScenario, RefusesASectionOfAnotherSensor) {
              "\"range-bearing\"`");
   EXPECT_HAS(complaint(free_start + "[vehicle]\nmodel = \"ackermann\"\n"),
              "vehicle.model = \"ackermann\": must be `free-camera` or `terrain`");
+}
+
+/// Nothing controls the motion of recorded images.
+TEST(LoadScenario, RefusesAControllerOfRecordedImages) {
+  const std::string said = complaint(free_start +
+                                     "[world]\ntype = \"recording\"\n[recording]\nfolder = \"x\"\n"
+                                     "[controller]\ngain_position_per_s2 = 3\n");
+  EXPECT_HAS(said, "mine.toml:7: section `controller` belongs to `world.type = ");
+  EXPECT_HAS(said, "; here `world.type = \"recording\"`");
 }
 
 /// The choice of the command line decides. The file's settings of the choice it replaces are left out, with a note each;

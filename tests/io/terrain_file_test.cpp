@@ -88,8 +88,9 @@ TEST(TerrainFile, RefusesFilesThatAreNotHeightMaps) {
 TEST(TerrainFile, RefusesAnImageThatDoesNotContainTheStart) {
   const std::string start = "[start]\npositions_m = [[0, 0, 0], [3, 2.5, 0]]\nheadings_rad = [0]\n";
   const std::string why = complaint(points + image + start, "", ground<std::uint8_t>(255, 51));
-  EXPECT_HAS(why, "mine.toml:10: terrain.size_m = 8: the image reaches 8 m by 4 m about the origin");
-  EXPECT_HAS(why, "starts at [3, 2.5] (start.positions_m): make the image larger or terrain.size_m more");
+  EXPECT_HAS(why, "mine.toml:10: terrain.size_m = 8.0: the image reaches 8 m by 4 m about the origin");
+  EXPECT_HAS(why,
+             "starts at [3, 2.5]: make the image larger or terrain.size_m more; here start.positions_m = ");
 }
 
 TEST(TerrainFile, SettingsOfOtherTerrainsAreRefused) {

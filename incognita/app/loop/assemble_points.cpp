@@ -85,11 +85,9 @@ std::unique_ptr<Controller> controller_of(const LoadedScenario& loaded, const Te
   const Scenario& s = loaded.scenario;
   std::vector<BodyControl> bodies;
   for (std::size_t i = 0; i < vehicles_of(s); ++i) bodies.push_back(body_control_of(loaded, i, ground));
-  const bool held = s.controller.law == ControlLaw::none && !s.controller.input.empty();
-  return attributed_to(
-      loaded, held ? "controller.input" : "controller.law",
-      held ? fmt::format("[{}]", fmt::join(s.controller.input, ", ")) : word_of(s.controller.law),
-      [&] { return std::make_unique<SteeringController>(std::move(bodies), 1 / s.run.rate_hz); });
+  return attributed_to(loaded, "controller.law", word_of(s.controller.law), [&] {
+    return std::make_unique<SteeringController>(std::move(bodies), 1 / s.run.rate_hz);
+  });
 }
 
 RunInfo info_of_points(const LoadedScenario& loaded) {

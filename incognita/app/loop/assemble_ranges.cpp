@@ -8,9 +8,7 @@
 #include "incognita/app/loop/body_models.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/no_decision.hpp"
-#include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/recordings/clock_warnings.hpp"
-#include "incognita/io/recordings/range_formats.hpp"
 #include "incognita/io/recordings/range_recording.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/slam/estimator/single_vehicle.hpp"
@@ -191,8 +189,7 @@ EstimatorSettings recorded_team(const LoadedScenario& loaded, const std::vector<
 
 Assembly assemble_team(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
-  const auto robots = std::make_shared<const std::vector<RangeRecording>>(read_mrclam_team(find_data(
-      s.recording.folder, loaded.file, loaded.source_of("recording.folder") + ": recording.folder")));
+  const auto robots = std::make_shared<const std::vector<RangeRecording>>(read_team_recording(loaded));
   const std::vector<double> times = scan_times(*robots, s.run.duration_s);
   if (times.empty())
     throw InputError(fmt::format("{}: run.duration_s = {}: nothing was seen by then",

@@ -3,8 +3,9 @@
 #include <stdexcept>
 
 #include "incognita/app/loop/assemblers.hpp"
-#include "incognita/io/formats/files.hpp"
+#include "incognita/io/scenario/located.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/messages/unfit_setting.hpp"
 
 namespace incognita {
 namespace {
@@ -27,8 +28,10 @@ void put_scenario(const LoadedScenario& loaded, RunInfo& info) {
 Assembly assemble(const LoadedScenario& loaded) {
   try {
     return assembled(loaded);
-  } catch (const std::invalid_argument& error) {  // e.g. a room too small for its boxes
-    throw InputError(shown(loaded.file) + ": " + error.what());
+  } catch (const UnfitSetting& unfit) {  // e.g. a room too small for its boxes
+    throw InputError(located(loaded, unfit));
+  } catch (const std::invalid_argument& error) {
+    throw InputError(located(loaded, std::string(error.what())));
   }
 }
 

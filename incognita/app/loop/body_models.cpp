@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "incognita/app/loop/operator_assembly.hpp"
-#include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/path_file.hpp"
 #include "incognita/io/formats/point_file.hpp"
+#include "incognita/io/formats/toml_value.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/io/scenario/scenario_file.hpp"
@@ -128,7 +128,7 @@ Path path_of(const PathFile& p, const Eigen::Vector3d& offset, const LoadedScena
                       loaded.sources.at("path.file"), p.file, motion.on_line() ? "y or z" : "z",
                       loaded.scenario.planar.vehicle.model));
   for (Eigen::Vector3d& position : samples.position) position += offset;
-  return through(samples);
+  return attributed_to(loaded, "path.file", toml_string(p.file), [&] { return through(samples); });
 }
 
 /// Zero if no input is set.
@@ -288,7 +288,7 @@ std::unique_ptr<SlamEstimator> point_estimator(const LoadedScenario& loaded,
   // The settings that do not fit are named in the message: they depend on each other
   if (const std::string why = validate(settings);
       why.starts_with("estimator.") || why.starts_with("association."))
-    throw InputError(fmt::format("{}: {}", shown(loaded.file), why));
+    throw std::invalid_argument(why);
   return attributed_to(loaded, "estimator.linearization", word_of(s.planar.filter.linearization),
                        [&] { return std::make_unique<SlamEstimator>(settings); });
 }

@@ -10,6 +10,7 @@
 #include "incognita/decision/decision.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/messages/unfit_setting.hpp"
 #include "incognita/models/motion/mount.hpp"
 #include "incognita/models/motion/terrain.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
@@ -50,12 +51,14 @@ std::vector<std::string> input_names(const MotionTraits& motion);
 std::unique_ptr<SlamEstimator> point_estimator(const LoadedScenario& loaded,
                                                const EstimatorSettings& settings);
 
-/// Attributes an exception of a component to its most relevant setting.
+/// Attributes an exception of a component that names no setting to its most relevant one.
 template <class Make>
 auto attributed_to(const LoadedScenario& loaded, const std::string& key, const std::string& value,
                    const Make& make) {
   try {
     return make();
+  } catch (const UnfitSetting&) {
+    throw;
   } catch (const std::invalid_argument& error) {
     throw InputError(loaded.source_of(key) + ": " + key + " = " + value + ": " + error.what());
   }

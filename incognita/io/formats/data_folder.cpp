@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <system_error>
 
@@ -56,13 +57,22 @@ std::string remedy() {
 
 }  // namespace
 
+void add_place(const std::filesystem::path& place, std::vector<std::filesystem::path>& places) {
+  const auto normal = [](const std::filesystem::path& path) {
+    return std::filesystem::absolute(path).lexically_normal();
+  };
+  const bool is_there = std::any_of(places.begin(), places.end(),
+                                    [&](const auto& other) { return normal(other) == normal(place); });
+  if (!is_there) places.push_back(place);
+}
+
 std::vector<std::filesystem::path> data_folders(const std::filesystem::path& scenario_file) {
   if (const std::string chosen = chosen_folder(); !chosen.empty()) return {chosen};
   std::vector<std::filesystem::path> folders = {"data", "../shared/data"};
   if (!scenario_file.empty() && !is_embedded(scenario_file)) {
     const std::filesystem::path above = std::filesystem::absolute(scenario_file).parent_path().parent_path();
-    folders.push_back(above / "data");
-    folders.push_back((above / "../shared/data").lexically_normal());
+    add_place(above / "data", folders);
+    add_place((above / "../shared/data").lexically_normal(), folders);
   }
   return folders;
 }

@@ -40,6 +40,16 @@ std::string guess_format(const std::filesystem::path& folder) {
                   inside.empty() ? "" : fmt::format("; it has the folders {}", fmt::join(inside, ", "))));
 }
 
+std::filesystem::path folder_of(const LoadedScenario& loaded) {
+  return find_data(loaded.scenario.recording.folder, loaded.file,
+                   loaded.source_of("recording.folder") + ": recording.folder");
+}
+
+std::string one_vehicle(const std::filesystem::path& folder, const std::string& format) {
+  return fmt::format("{} has the format `{}`, a recording of one vehicle; only `mrclam` numbers its robots",
+                     folder.string(), format);
+}
+
 RangeRecording read_as(const std::string& format, const std::filesystem::path& folder, int robot) {
   if (format == "acfr") return read_acfr(folder);
   if (format == "mrclam") return read_mrclam(folder, robot);
@@ -66,9 +76,22 @@ RangeRecording read_range_recording(const std::filesystem::path& folder, const s
 
 RangeRecording read_range_recording(const LoadedScenario& loaded) {
   const RecordingSettings& settings = loaded.scenario.recording;
-  const std::string wanted_by = loaded.source_of("recording.folder") + ": recording.folder";
-  return read_range_recording(find_data(settings.folder, loaded.file, wanted_by), word_of(settings.format),
-                              settings.robot);
+  const std::filesystem::path folder = folder_of(loaded);
+  RangeRecording recording = read_range_recording(folder, word_of(settings.format), settings.robot);
+  if (settings.robot != 1 && recording.format != "mrclam")
+    throw InputError(fmt::format("{}: recording.robot = {}: {}; remove recording.robot",
+                                 loaded.source_of("recording.robot"), settings.robot,
+                                 one_vehicle(folder, recording.format)));
+  return recording;
+}
+
+std::vector<RangeRecording> read_team_recording(const LoadedScenario& loaded) {
+  const std::filesystem::path folder = folder_of(loaded);
+  if (loaded.scenario.recording.format == RecordingSettings::Format::automatic)
+    if (const std::string format = guess_format(folder); format != "mrclam")
+      throw InputError(fmt::format("{}: recording.team = true: {}; take recording.team = false",
+                                   loaded.source_of("recording.team"), one_vehicle(folder, format)));
+  return read_mrclam_team(folder);
 }
 
 }  // namespace incognita

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/world/replay/range_recording.hpp"
@@ -14,8 +15,11 @@ namespace incognita {
 RangeRecording read_range_recording(const std::filesystem::path& folder, const std::string& format,
                                     int robot = 1);
 
-/// The recording named by a scenario, searched under the data folder.
+/// The recording named by a scenario, searched under the data folder. Throws InputError also for the number of a robot
+/// in a recording of one vehicle.
 RangeRecording read_range_recording(const LoadedScenario& loaded);
+/// The robots of the team recording named by a scenario. Throws InputError also for a recording of one vehicle.
+std::vector<RangeRecording> read_team_recording(const LoadedScenario& loaded);
 
 /// Writes a recording in the format `tables`, with full precision; notes are not written. Creates the folder;
 /// throws RecordError if one of the tables already exists or cannot be written.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "incognita/messages/unfit_setting.hpp"
 #include "incognita/models/sensors/pinhole_camera.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 
 void need_inside(double value, int size, const char* key, const char* size_key) {
   if (value > 0 && value < size) return;
-  throw UnfitSetting(key, fmt::format("must lie inside the image, 0 to {} ({})", size, size_key));
+  throw UnfitSetting({key}, fmt::format("must lie inside the image, 0 to {} ({})", size, size_key));
 }
 
 /// Real lenses have a ray for every pixel at least half-way from the principal point to each edge.
@@ -22,9 +23,9 @@ void need_rays(const Camera& camera, const CameraSettings& s, const char* key) {
     const Eigen::Vector2d pixel = (center + edge) / 2;
     if (camera.unproject(pixel)) continue;
     throw UnfitSetting(
-        key, fmt::format("must leave a ray to every pixel half-way to the edges: none reaches pixel "
-                         "({:.1f}, {:.1f}) (is its unit right?)",
-                         pixel.x(), pixel.y()));
+        {key}, fmt::format("must leave a ray to every pixel half-way to the edges: none reaches pixel "
+                           "({:.1f}, {:.1f}) (is its unit right?)",
+                           pixel.x(), pixel.y()));
   }
 }
 

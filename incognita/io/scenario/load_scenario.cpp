@@ -8,6 +8,7 @@
 
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/recordings/camera_of_recording.hpp"
+#include "incognita/io/scenario/renamed_settings.hpp"
 #include "incognita/io/scenario/scenario_checks.hpp"
 #include "incognita/io/scenario/scenario_tree.hpp"
 #include "incognita/io/scenario/setting_reader.hpp"
@@ -38,19 +39,34 @@ std::filesystem::path find_scenario(const std::string& path_or_name) {
 struct Given {
   GivenValues values;
   std::vector<std::string> problems = {};
+  std::map<std::string, std::string> empty_sections = {};  ///< their lines
   int overrides = 0;
 
   void read_file_of(const std::filesystem::path& path) {
     const std::string file = shown(path);
     for (const TomlEntry& section : parse_toml(read_file(path, largest_scenario), file)) {
       const std::string at = fmt::format("{}:{}", file, section.line);
-      if (const auto* table = std::get_if<TomlTable>(&section.value.value))
-        for (const TomlEntry& entry : *table)
-          values[section.key + "." + entry.key].push_back(
-              {entry.value, fmt::format("{}:{}", file, entry.line), at});
+      const auto* table = std::get_if<TomlTable>(&section.value.value);
+      if (section.key.empty())
+        problems.push_back(at + ": the name is empty; a section is written [name]");
+      else if (table)
+        read_section(section.key, *table, file, at);
       else
         problems.push_back(fmt::format("{}: {} = {}: must be a section, written [{}]", at, section.key,
                                        section.value.written(), section.key));
+    }
+  }
+
+  void read_section(const std::string& name, const TomlTable& table, const std::string& file,
+                    const std::string& at) {
+    if (table.empty()) empty_sections[name] = at;
+    for (const TomlEntry& entry : table) {
+      const std::string source = fmt::format("{}:{}", file, entry.line);
+      if (entry.key.empty())
+        problems.push_back(
+            fmt::format("{}: the name is empty; a setting of [{}] is written name = value", source, name));
+      else
+        values[name + "." + entry.key].push_back({entry.value, source, at});
     }
   }
 
@@ -60,10 +76,29 @@ struct Given {
 
   void read_set(const std::string& set) {
     const std::size_t equals = set.find('=');
-    if (equals == std::string::npos)
+    const std::string key = set.substr(0, equals);
+    const std::size_t point = key.find('.');
+    if (equals == std::string::npos || point == std::string::npos || point == 0 || point + 1 == key.size())
       problems.push_back(fmt::format("--set: `{}` must be written section.name=value", set));
     else
-      override_with(set.substr(0, equals), set.substr(equals + 1), "--set");
+      override_with(key, set.substr(equals + 1), "--set");
+  }
+
+  /// Refuses settings with former names, and takes their values by the new ones: choices among them decide which
+  /// other settings there are.
+  void refuse_former_names() {
+    for (auto at = values.begin(); at != values.end();) {
+      const std::vector<std::string> now = new_keys(at->first);
+      if (now.empty()) {
+        ++at;
+        continue;
+      }
+      problems.push_back(
+          fmt::format("{}: `{}` is now `{}`", at->second.back().source, at->first, fmt::join(now, "` or `")));
+      for (GivenValue& value : at->second) value.is_renamed = true;
+      for (const std::string& key : now) values.emplace(key, at->second);
+      at = values.erase(at);
+    }
   }
 };
 
@@ -85,6 +120,7 @@ void refuse(const std::vector<std::string>& problems) {
 }
 
 void read(LoadedScenario& loaded, Given given) {
+  given.refuse_former_names();
   SettingReader reader(given.values);
   read_settings(reader, loaded.scenario,
                 [&](const Scenario& scenario) { return camera_of_recording(scenario, loaded.file); });
@@ -92,6 +128,9 @@ void read(LoadedScenario& loaded, Given given) {
   for (std::string& problem : explained_problems(given.values, reader))
     problems.push_back(std::move(problem));
   for (std::string& problem : explain_unknown(given.values, reader)) problems.push_back(std::move(problem));
+  for (const auto& [section, at] : given.empty_sections)
+    if (std::string problem = explain_empty_section(section, at, reader); !problem.empty())
+      problems.push_back(std::move(problem));
   refuse(problems);
   loaded.settings = by_section(reader.settings());
   for (const SettingInForce& setting : loaded.settings) loaded.sources[setting.key] = setting.source;

@@ -1,5 +1,9 @@
 #include "incognita/io/scenario/renamed_settings.hpp"
 
+#include <algorithm>
+
+#include "incognita/io/scenario/setting.hpp"
+
 namespace incognita {
 namespace {
 
@@ -114,11 +118,21 @@ constexpr RenamedSetting renamed[] = {
 
 std::span<const RenamedSetting> renamed_settings() { return renamed; }
 
-std::string new_key(const std::string& key) {
-  std::string text;
+std::vector<std::string> new_keys(const std::string& key) {
+  std::vector<std::string> keys;
   for (const RenamedSetting& setting : renamed)
-    if (setting.before == key) text += (text.empty() ? "`" : " or `") + std::string(setting.after) + "`";
-  return text;
+    if (setting.before == key) keys.emplace_back(setting.after);
+  return keys;
+}
+
+std::vector<std::string> new_sections(const std::string& section) {
+  std::vector<std::string> sections;
+  for (const RenamedSetting& setting : renamed) {
+    if (section_of(setting.before) != section) continue;
+    const std::string now = section_of(setting.after);
+    if (std::find(sections.begin(), sections.end(), now) == sections.end()) sections.push_back(now);
+  }
+  return sections;
 }
 
 }  // namespace incognita

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace incognita {
 
@@ -13,7 +14,10 @@ struct RenamedSetting {
 
 std::span<const RenamedSetting> renamed_settings();
 
-/// "`path.type`", or "`path.center_m` or `path.position_m`"; empty for a key that was never in use.
-std::string new_key(const std::string& key);
+/// {"path.type"}, or {"path.center_m", "path.position_m"}; empty for a key that was never in use.
+std::vector<std::string> new_keys(const std::string& key);
+
+/// The sections that have the settings of a former section now: {"landmark_initialization"} of "birth".
+std::vector<std::string> new_sections(const std::string& section);
 
 }  // namespace incognita

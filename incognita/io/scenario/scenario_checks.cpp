@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "incognita/io/scenario/camera.hpp"
+#include "incognita/messages/unfit_setting.hpp"
 
 namespace incognita {
 namespace {
@@ -97,7 +98,7 @@ void check_camera(const Scenario& s, List& found) {
   try {
     make_camera(s.camera);
   } catch (const UnfitSetting& error) {
-    found.push_back({error.key, error.what()});
+    found.push_back({error.keys.front(), error.what()});
   }
 }
 

@@ -13,13 +13,14 @@ namespace incognita {
 
 std::filesystem::path find_named_file(const LoadedScenario& loaded, const std::string& key,
                                       const std::string& name) {
-  std::vector<std::filesystem::path> folders = {loaded.file.parent_path()};
-  for (const std::filesystem::path& folder : data_folders(loaded.file)) folders.push_back(folder);
-  folders.push_back(std::filesystem::path(embedded_root) / "");
+  std::vector<std::filesystem::path> places;
+  add_place(loaded.file.parent_path() / name, places);
+  for (const std::filesystem::path& folder : data_folders(loaded.file)) add_place(folder / name, places);
+  add_place(std::filesystem::path(embedded_root) / name, places);
   std::string looked;
-  for (const std::filesystem::path& folder : folders) {
-    if (file_exists(folder / name)) return folder / name;
-    looked += (looked.empty() ? "" : ", ") + (is_embedded(folder) ? "those built in" : shown(folder / name));
+  for (const std::filesystem::path& place : places) {
+    if (file_exists(place)) return place;
+    looked += (looked.empty() ? "" : ", ") + (is_embedded(place) ? "those built in" : shown(place));
   }
   throw InputError(fmt::format("{}: {} = {}: there is no such file (looked for {})", loaded.source_of(key),
                                key, toml_string(name), looked));

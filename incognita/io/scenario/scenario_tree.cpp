@@ -179,14 +179,12 @@ void image_estimator(SettingReader& r, Scenario& s) {
   image_health(r, s.slam.health);
 }
 
-/// Decision and control of a free camera that sees images.
-void free_camera(SettingReader& r, Scenario& s) {
+/// Decision of a free camera that sees images.
+void free_camera_decision(SettingReader& r, Scenario& s) {
   decision(r, s, false);
   gaze(r, s);
   r.section("exploration");
   r.some(s.exploration, &ExplorationSettings::counted);
-  r.section("controller");
-  r.all(s.control);
 }
 
 // ------------------------------------------------------------------------------------------------ control of vehicles
@@ -293,7 +291,9 @@ void room(SettingReader& r, Scenario& s) {
   r.section("plant");
   r.some(s.room, &R::sigma_start_position_m, &R::sigma_start_heading_rad, &R::sigma_acceleration_m_s2,
          &R::sigma_angular_acceleration_rad_s2);
-  free_camera(r, s);
+  free_camera_decision(r, s);
+  r.section("controller");
+  r.all(s.control);
   operator_model(r, s);
 }
 
@@ -311,7 +311,7 @@ void recorded_images(SettingReader& r, Scenario& s, const CameraFinder& find_cam
   read_camera(r, s.camera);
   r.defaults_are("default");
   image_estimator(r, s);
-  free_camera(r, s);
+  free_camera_decision(r, s);  // shown as advice: nothing controls the recorded motion
 }
 
 void recorded_vehicle(SettingReader& r, Scenario& s) {

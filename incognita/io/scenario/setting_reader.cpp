@@ -72,6 +72,7 @@ void SettingReader::assign_given(const Setting& setting, const GivenValue& given
   } catch (const BadValue& bad) {
     if (is_replaced && !setting.words.empty()) return;
     refused_choice_ |= decides(setting);
+    if (given.is_renamed) return;
     if (!setting.words.empty())
       refused_words_[setting.key] = {
           from_file ? from_file->written() : toml_string(std::get<std::string>(given.value)),

@@ -24,6 +24,7 @@ struct GivenValue {
   std::string source;                          ///< "room.toml:12", "--set"
   std::string section_source = {};             ///< the file's line of the section
   int order = 0;                               ///< on the command line
+  bool is_renamed = false;                     ///< given by a former name, which is refused elsewhere
 };
 
 /// All values given, by key; later ones override earlier ones.

@@ -7,17 +7,12 @@
 
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/image_file.hpp"
-#include "incognita/io/formats/toml_value.hpp"
+#include "incognita/io/scenario/located.hpp"
 #include "incognita/io/scenario/scenario_file.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
 namespace {
-
-/// A setting with its source, for messages.
-std::string with_source(const LoadedScenario& loaded, const std::string& key, const std::string& value) {
-  return fmt::format("{}: {} = {}", loaded.source_of(key), key, value);
-}
 
 /// Fractions of white with rows along x and columns along y. In the image, x points right and y up.
 Eigen::MatrixXd seen_from_above(const Eigen::MatrixXd& image) {
@@ -27,18 +22,20 @@ Eigen::MatrixXd seen_from_above(const Eigen::MatrixXd& image) {
 void check_cover(const LoadedScenario& loaded, const HeightMap& map, double length_m, double width_m) {
   for (const Eigen::Vector3d& start : loaded.scenario.team_start.positions_m)
     if (!map.contains(start.x(), start.y()))
-      throw InputError(
-          fmt::format("{}: the image reaches {:.4g} m by {:.4g} m about the origin, and a vehicle starts at "
-                      "[{:g}, {:g}] (start.positions_m): make the image larger or terrain.size_m more",
-                      with_source(loaded, "terrain.size_m", fmt::format("{:g}", length_m)), length_m, width_m,
-                      start.x(), start.y()));
+      throw InputError(located(
+          loaded,
+          UnfitSetting({"terrain.size_m", "start.positions_m"},
+                       fmt::format("the image reaches {:.4g} m by {:.4g} m about the origin, and a vehicle "
+                                   "starts at [{:g}, {:g}]: make the image larger or terrain.size_m more",
+                                   length_m, width_m, start.x(), start.y()))));
 }
 
 Terrain image_terrain(const LoadedScenario& loaded, const ImageTerrain& t) {
   const std::filesystem::path file = find_named_file(loaded, "terrain.file", t.file);
   const auto refuse = [&](const std::string& why) {
-    throw InputError(fmt::format("{}: {}: take a gray image of 8 or 16 bits, PNG or PGM for instance",
-                                 with_source(loaded, "terrain.file", toml_string(t.file)), why));
+    throw InputError(
+        located(loaded, UnfitSetting({"terrain.file"},
+                                     why + ": take a gray image of 8 or 16 bits, PNG or PGM for instance")));
   };
   Eigen::MatrixXd image;
   try {

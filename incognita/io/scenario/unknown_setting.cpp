@@ -119,13 +119,32 @@ std::vector<std::string> sections_of(const SettingReader& reader) {
   return sections;
 }
 
+/// Whether a word of that section was refused, which may decide on other settings of the section.
+bool has_refused_word(const SettingReader& reader, const std::string& section) {
+  const auto& refused = reader.refused_words();
+  return std::any_of(refused.begin(), refused.end(),
+                     [&](const auto& word) { return section_of(word.first) == section; });
+}
+
 bool is_section(const SettingReader& reader, const std::string& section) {
   return !keys_of(reader, section).empty();
 }
 
-}  // namespace
+bool is_of_any_scenario(const std::string& section) {
+  return find_choices({}, [&](const SettingInForce& s) { return section_of(s.key) == section; }).has_value();
+}
 
-namespace {
+/// Whether all settings of the section have other names now.
+bool is_former(const std::string& section) {
+  return !new_sections(section).empty() && !is_of_any_scenario(section);
+}
+
+std::string no_section(const std::string& section, const std::string& at, const SettingReader& reader) {
+  if (const std::vector<std::string> now = new_sections(section); !now.empty())
+    return fmt::format("{}: section `{}` is now `{}`", at, section, fmt::join(now, "`, `"));
+  return fmt::format("{}: there is no section `{}`; the nearest is `{}`", at, section,
+                     nearest_name(section, sections_of(reader)));
+}
 
 /// "`room`, `points` or `recording`" with the words of another context added.
 std::string with_words(const std::string& allowed, const std::vector<std::string>& options) {
@@ -168,19 +187,31 @@ std::vector<CatalogedSetting> all_settings() {
 }
 
 std::vector<std::string> explained_problems(const GivenValues& given, const SettingReader& reader) {
-  std::vector<std::string> problems = reader.problems();
+  const std::vector<std::string>& problems = reader.problems();
   GivenValues others = given;
   for (const auto& [key, refused] : reader.refused_words()) others.erase(key);
+  std::map<std::size_t, std::string> explanations;  // by problem
+  std::size_t first_unknown = problems.size();
   for (const auto& [key, refused] : reader.refused_words()) {
     const auto& [word, problem] = refused;
     const std::optional<Context> context = find_choices(others, [&](const SettingInForce& s) {
       return s.key == key && std::find(s.options.begin(), s.options.end(), word) != s.options.end();
     });
     if (context)
-      problems.at(problem) +=
+      explanations[problem] =
           fmt::format("; {} belongs to {}{}", word, in_words(*context), here(*context, reader));
+    else
+      first_unknown = std::min(first_unknown, problem);
   }
-  return problems;
+  std::vector<std::string> explained;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const auto explanation = explanations.find(i);
+    if (explanation == explanations.end())
+      explained.push_back(problems[i]);
+    else if (i < first_unknown)
+      explained.push_back(problems[i] + explanation->second);
+  }
+  return explained;
 }
 
 std::vector<LeftOut> left_out_by_command_line(const GivenValues& given, const SettingReader& reader) {
@@ -209,32 +240,35 @@ std::vector<std::string> explain_unknown(const GivenValues& given, const Setting
   for (const auto& [key, values] : given) {
     if (reader.has(key) || is_left_out(key)) continue;
     const GivenValue& value = values.back();
+    if (value.is_renamed) continue;
     const std::string section = section_of(key);
-    if (const std::string now = new_key(key); !now.empty()) {
-      problems.push_back(fmt::format("{}: `{}` is now {}", value.source, key, now));
-      continue;
-    }
     const bool whole = !value.section_source.empty() && !is_section(reader, section);
     if (whole && !explained.insert(section).second) continue;
     const auto wanted = [&](const SettingInForce& other) {
       return whole ? section_of(other.key) == section : other.key == key;
     };
     const std::optional<Context> context = find_choices(given, wanted);
-    if (context && reader.refused_choice()) continue;  // it may follow from the refused value
+    if (context ? reader.refused_choice() : has_refused_word(reader, section))
+      continue;  // it may follow from the refused value
     const std::string& at = whole ? value.section_source : value.source;
     const std::string what = whole ? fmt::format("section `{}`", section) : fmt::format("`{}`", key);
     if (context)
       problems.push_back(
           fmt::format("{}: {} belongs to {}{}", at, what, in_words(*context), here(*context, reader)));
-    else if (whole)
-      problems.push_back(fmt::format("{}: there is no section `{}`; the nearest is `{}`", at, section,
-                                     nearest_name(section, sections_of(reader))));
+    else if (whole || is_former(section))
+      problems.push_back(no_section(section, at, reader));
     else
       problems.push_back(
           fmt::format("{}: there is no setting `{}`; the nearest is `{}`", at, key,
                       nearest_name(key, keys_of(reader, is_section(reader, section) ? section : ""))));
   }
   return problems;
+}
+
+std::string explain_empty_section(const std::string& section, const std::string& source,
+                                  const SettingReader& reader) {
+  return is_section(reader, section) || is_of_any_scenario(section) ? ""
+                                                                    : no_section(section, source, reader);
 }
 
 }  // namespace incognita

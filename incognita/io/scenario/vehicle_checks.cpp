@@ -72,9 +72,9 @@ void check_gains(const Scenario& s, List& found) {
                     regulated = motion.in_space() ? motion.error.size() : axes;
   const ControllerSettings& c = s.controller;
   if (!c.input.empty() && c.input.size() != inputs)
-    found.push_back(
-        {"controller.input", fmt::format("must have {} numbers, one for each input of the motion, and has {}",
-                                         inputs, c.input.size())});
+    found.push_back({"controller.input",
+                     fmt::format("must have {} number{}, one for each input of the motion, and has {}",
+                                 inputs, inputs == 1 ? "" : "s", c.input.size())});
   check_length("controller.gain_per_s", s.law_settings.gain_per_s.size(), axes, "one for each axis", found);
   check_length("controller.weight_state", s.law_settings.weight_state.size(), regulated,
                "one for each number that is regulated", found);
@@ -223,8 +223,8 @@ void check_obstacle_avoidance(const Scenario& s, List& found) {
   if (clear < least)
     found.push_back(
         {"controller.avoidance_distance_m",
-         fmt::format("must be 0 or at least {:.3g}: room.clearance_m, 0.1 m, and the way of two ticks at "
-                     "controller.max_speed_m_s",
+         fmt::format("must be 0 or at least {:.3g}: room.clearance_m, 0.1 m, and the way of two ticks of "
+                     "run.rate_hz at controller.max_speed_m_s",
                      least)});
 }
 

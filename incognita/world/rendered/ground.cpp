@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 #include <string>
+
+#include "incognita/messages/unfit_setting.hpp"
 
 namespace incognita {
 namespace {
@@ -13,19 +14,26 @@ constexpr double finest_m = 0.015;   // intersects waves of 1 m length and 10 cm
 constexpr double most_cells = 1500;  // per side; larger rooms get a coarser grid
 constexpr double headroom_m = 0.5;   // clearance under the ceiling
 
+std::string place(double x, double y) {
+  std::ostringstream text;
+  text << "[" << x << ", " << y << "]";
+  return text.str();
+}
+
 void check(const Terrain& terrain, const Box& inside) {
   for (const double x : {inside.min.x(), inside.max.x()})
     for (const double y : {inside.min.y(), inside.max.y()})
       if (!terrain.contains(x, y))
-        throw std::invalid_argument("the terrain must cover the floor of the room, but does not contain (" +
-                                    std::to_string(x) + ", " + std::to_string(y) + ")");
+        throw UnfitSetting({"terrain.size_m", "terrain.file", "room.size_m"},
+                           "the terrain must cover the floor of the room, and does not reach " + place(x, y));
 }
 
-std::invalid_argument too_high(float highest_m) {
+UnfitSetting too_high(float highest_m) {
   std::ostringstream why;
   why << "the terrain rises to " << highest_m << " m, and must stay " << headroom_m
       << " m under the ceiling: make it lower ([terrain]), or the room higher (room.size_m)";
-  return std::invalid_argument(why.str());
+  return {{"terrain.amplitude_m", "terrain.height_m", "terrain.slope_x", "terrain.slope_y", "room.size_m"},
+          why.str()};
 }
 
 }  // namespace

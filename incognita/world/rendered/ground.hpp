@@ -13,8 +13,8 @@ namespace incognita {
 
 class Ground {
  public:
-  /// Samples the terrain within the walls of `inside`. Throws std::invalid_argument if the terrain does not
-  /// cover the floor or is too high for the room.
+  /// Samples the terrain within the walls of `inside`. Throws UnfitSetting if the terrain does not cover the
+  /// floor or is too high for the room.
   Ground(const Terrain& terrain, const Box& inside);
 
   double lowest_m() const { return lowest_m_; }

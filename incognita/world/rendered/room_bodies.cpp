@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "incognita/messages/unfit_setting.hpp"
 #include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
@@ -108,9 +109,10 @@ bool CameraObstacles::stop_at_box(const Box& box, const Eigen::Vector3d& before,
 void VehicleObstacles::check_start(const SmallVector& state) const {
   const double free_m = plan_.clearance_at(state.head<2>());
   if (free_m < radius_m_)
-    throw std::invalid_argument("the vehicle starts " + std::to_string(free_m) +
-                                " m from a wall or a box, but needs " + std::to_string(radius_m_) +
-                                " m (room.clearance_m): move its start, or change room.boxes");
+    throw UnfitSetting({"start.positions_m", "room.boxes", "room.clearance_m", "run.seed"},
+                       "the vehicle starts " + std::to_string(free_m) +
+                           " m from a wall or a box, but needs " + std::to_string(radius_m_) +
+                           " m (room.clearance_m): move its start, or change room.boxes");
 }
 
 bool VehicleObstacles::stop(const SmallVector& before, SmallVector& state) const {

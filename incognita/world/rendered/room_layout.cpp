@@ -6,6 +6,7 @@
 #include <string>
 
 #include "incognita/math/random.hpp"
+#include "incognita/messages/unfit_setting.hpp"
 
 namespace incognita {
 namespace {
@@ -74,8 +75,9 @@ RoomLayout room_layout(const RoomSettings& s, std::uint64_t seed) {
   RandomStream random(seed, "room.layout");
   const Box keep_free = corridor(s, layout.sheet);
   for (int tries = 0; static_cast<int>(layout.boxes.size()) < s.boxes; ++tries) {
-    need(tries < tries_per_box * (s.boxes + 1),
-         "room.boxes: that many do not fit along the walls of the room; take fewer", s.boxes);
+    if (tries == tries_per_box * (s.boxes + 1))
+      throw UnfitSetting({"room.boxes", "room.size_m", "run.seed"},
+                         "that many boxes do not fit along the walls of the room; take fewer");
     const Box box = box_along_wall(s, random);
     const auto touches = [&](const Box& other) { return overlap_on_floor(box.grown(gap_m), other); };
     const bool taken = std::any_of(layout.boxes.begin(), layout.boxes.end(), touches);

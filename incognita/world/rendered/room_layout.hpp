@@ -30,8 +30,8 @@ struct RoomLayout {
   Sheet sheet;
 };
 
-/// Draws the positions of the boxes. Throws std::invalid_argument if a setting is invalid, or if the boxes do
-/// not fit along the walls outside the corridor between start and target.
+/// Draws the positions of the boxes. Throws std::invalid_argument if a setting is invalid, and UnfitSetting if the boxes
+/// do not fit along the walls outside the corridor between start and target.
 RoomLayout room_layout(const RoomSettings& settings, std::uint64_t seed);
 
 }  // namespace incognita

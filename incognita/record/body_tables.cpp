@@ -147,11 +147,11 @@ void BodyTables::publish(const Snapshot& s) {
 
 void BodyTables::close() {
   vehicles_.close();
+  for (Poses& poses : others_)
+    for (RowFile* file : {&poses.estimate, &poses.truth, &poses.covariance}) file->close();
   if (actions_.empty()) actions_.emplace_back();
   if (!actions_.front().opened) open(actions_.front(), 0, {});
   for (Actions& actions : actions_) actions.file.close();
-  for (Poses& poses : others_)
-    for (RowFile* file : {&poses.estimate, &poses.truth, &poses.covariance}) file->close();
 }
 
 }  // namespace incognita

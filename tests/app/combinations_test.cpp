@@ -197,6 +197,20 @@ TEST(Combinations, ATeamThatMeasuresNoDistances) {
                     });
 }
 
+/// Robots that stand still never learn the depths, and cannot use each other's landmarks: they are not lost for that.
+TEST(Combinations, UnknownDepthsAreNoReasonToBeLost) {
+  for (int seed = 1; seed <= 4; ++seed) {
+    const JointError stood =
+        run("two-robots",
+            {"run.duration_s=4", "sensor.type=bearing", "landmark_initialization.inverse_depth_per_m=0.15",
+             "landmark_initialization.sigma_inverse_depth_per_m=0.1", "sensor.measures_vehicles=false",
+             "controller.law=active", "decision.strategy=none", "sensor.max_range_m=40",
+             "start.positions_m=[[-3, -3, 0], [3, 3, 0]]", "points.count=5"},
+            seed, [](EstimatorSettings&) {});
+    EXPECT_FALSE(stood.lost) << seed;
+  }
+}
+
 TEST(Combinations, AMapInTheFrameOfACarUnderControl) {
   const testing::Scratch folder;
   const std::filesystem::path car = folder.write("car.toml", R"([world]

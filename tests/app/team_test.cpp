@@ -397,7 +397,7 @@ TEST(Team, ALostBodyBrakes) {
   estimator.update(e, {}, nothing, {0, 0, 0});
   e.bodies[0].state.segment<3>(7) << 0.4, 0, -0.2;
   controller.act(e, {}, {}, {1, 0.05, 0.05});
-  e.status.state = TrackingState::lost;
+  e.bodies[0].status.state = TrackingState::lost;
   const Command braking = controller.act(e, {}, {}, {2, 0.1, 0.05});
   ASSERT_EQ(braking.bodies.size(), 1u);
   EXPECT_NEAR(braking.bodies[0].input[0], -0.8, 1e-12);

@@ -134,7 +134,7 @@ TEST(PlanarRegulator, RefusesSettingsWithoutASolution) {
   };
   using S = PlanarRegulatorSettings;
   EXPECT_EQ(complaint([](S&) {}), "(none)");
-  EXPECT_HAS(complaint([](S& s) { s.body.forward_m = 0; }), "no gain stabilises");
+  EXPECT_HAS(complaint([](S& s) { s.body.forward_m = 0; }), "no gain stabilizes");
   EXPECT_HAS(complaint([](S& s) { s.Q1(1, 1) = 0; }), "costs nothing");
   EXPECT_HAS(complaint([](S& s) { s.Q2(1, 1) = 0; }), "Q2 has the eigenvalue 0");
   EXPECT_HAS(complaint([](S& s) { s.period_s = 0; }), "the period must be positive");

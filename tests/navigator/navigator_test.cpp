@@ -198,6 +198,24 @@ TEST(Navigator, MayAdvanceMoreOftenThanImagesCome) {
   EXPECT_EQ(navigator.status().state, TrackingState::lost) << "the camera failed";
 }
 
+/// Two cameras whose images come in turn, at times that jitter: none of them is overdue.
+TEST(Navigator, CamerasMayTakeTheirImagesAtDifferentTimes) {
+  FrameCounter frames;
+  double t = 0;
+  const auto jitter = [](int k) { return 0.002 * std::sin(7.1 * k); };
+  for (int k = 0; k < 300; ++k) {
+    t = k / 30.0 + jitter(k);
+    EXPECT_EQ(frames.count(false, t - 0.001), k == 0 ? 1 : 0) << "the other's image, just before";
+    EXPECT_EQ(frames.count(true, t), 1);
+    if (k == 100) EXPECT_EQ(frames.count(true, t + 0.005), 1) << "a burst";
+  }
+  int overdue = 0;
+  for (int k = 1; k <= 60; ++k) overdue += frames.count(false, t + k / 60.0);
+  EXPECT_NEAR(overdue, 29.5, 1) << "one second without an image";
+  EXPECT_EQ(frames.count(true, t + 1), 1);
+  EXPECT_EQ(frames.count(false, t + 1.02), 0) << "the outage is no period";
+}
+
 std::string refusal(const std::function<void(Navigator&)>& act) {
   Navigator navigator{SlamEstimator(one_vehicle())};
   navigator.advance(3);

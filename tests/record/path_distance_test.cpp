@@ -54,7 +54,8 @@ TEST(PathDistance, SummaryIsOfTheLastThird) {
   for (int k = 0; k < 9; ++k) {
     Snapshot s;
     s.bodies = {heading_north()};
-    (*s.bodies[0].reference)[1] = k < 6 ? 9 : 2.3;
+    s.bodies[0].state = k == 8 ? TrackingState::lost : TrackingState::tracking;
+    (*s.bodies[0].reference)[1] = k < 5 ? 9 : k < 8 ? 2.3 : 40;
     summary.add(s);
   }
   EXPECT_NEAR(summary.bodies(1)[0].median_m, 0.3, 1e-12);

@@ -56,6 +56,7 @@ TEST(CameraLost, ACoveredLensIsDegradedAndThenLost) {
     Tracked t;
     const std::size_t landmarks = t.estimate.landmarks.size();
     const auto before = t.features();
+    if (!covered) t.see_nothing();  // is overdue a quarter of a period later
     for (int i = 1; i < t.settings.health.max_ticks; ++i) {
       covered ? t.see_gray() : t.see_nothing();
       EXPECT_EQ(t.estimate.status.state, TrackingState::degraded) << i;
@@ -219,7 +220,7 @@ TEST(CameraLost, ForgetsItsDepthLines) {
   ASSERT_GT(estimate.landmarks.size(), 8u);
   ASSERT_TRUE(searches_rays(estimate));
   for (int k = 5; estimate.status.state != TrackingState::lost; ++k) {
-    ASSERT_LT(k, 20);
+    ASSERT_LT(k, 30);
     // In ticks without an image nothing is left of the image before, which is gone
     estimator.update(estimate, {}, k % 2 ? Observation{} : seeing_gray(8), tick(k));
     EXPECT_FALSE(searches_rays(estimate));

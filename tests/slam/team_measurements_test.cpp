@@ -107,19 +107,20 @@ TEST(TeamMeasurements, OfUnknownDepthAreUsedNearTheRayOfTheirInitializationOnly)
   const PointDetection detection{7, vec({-0.5})};
   const auto is_used = [&](const SmallVector& second, int body) {
     const Pair pair = pair_with_unknown_depth(second);
-    return linearize_detection(pair.estimate, body, false, detection, pair.settings).has_value();
+    return linearize_detection(pair.estimate, body, false, detection, pair.settings).value().is_linear;
   };
   EXPECT_TRUE(is_used(vec({0, 4, 0}), 0)) << "the body that initialized it";
   EXPECT_FALSE(is_used(vec({0, 4, 0}), 1))
       << "4 m beside the ray: its bearing may be anything from -90 to 0 deg";
   EXPECT_TRUE(is_used(vec({0, 0.05, 0}), 1)) << "5 cm beside it";
   EXPECT_TRUE(is_used(vec({-1, 0, 0}), 1)) << "on the ray, behind";
+  EXPECT_TRUE(is_used(vec({2.5, 0, 0}), 1)) << "on the ray, where the landmark may be behind";
 }
 
 TEST(TeamMeasurements, OfUnknownDepthAreUsedOnceTheDepthIsKnown) {
   Pair pair = pair_with_unknown_depth(vec({0, 4, 0}));
   const PointDetection detection{7, vec({-0.5})};
-  ASSERT_FALSE(linearize_detection(pair.estimate, 1, false, detection, pair.settings));
+  ASSERT_FALSE(linearize_detection(pair.estimate, 1, false, detection, pair.settings)->is_linear);
   const Landmark& landmark = pair.estimate.landmarks.at(7);
   const auto depth = pair.estimate.belief.mean(landmark.block).size() - 1;
   LinearizedMeasurement known;  // of the inverse depth
@@ -127,7 +128,7 @@ TEST(TeamMeasurements, OfUnknownDepthAreUsedOnceTheDepthIsKnown) {
   known.residual = vec({0.0});
   known.R = SmallMatrix::Constant(1, 1, 1e-6);
   pair.estimate.belief.update({&known, 1});
-  EXPECT_TRUE(linearize_detection(pair.estimate, 1, false, detection, pair.settings));
+  EXPECT_TRUE(linearize_detection(pair.estimate, 1, false, detection, pair.settings)->is_linear);
 }
 
 }  // namespace

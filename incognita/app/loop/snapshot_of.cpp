@@ -49,16 +49,12 @@ SnapshotDecision decision_of(const BodyGoal& goal, const std::vector<std::string
   return {actions, goal.scores, goal.chosen, goal.decided};
 }
 
-/// A single body has the state of the estimate, which is all that an estimator of one body needs to set.
-TrackingState state_of(const Estimate& e, std::size_t body) {
-  return e.bodies.size() > 1 ? e.bodies[body].status.state : e.status.state;
-}
-
 /// Before the start the bodies of the truth.
 std::vector<SnapshotBody> bodies_of(const Estimate& e, const std::optional<Truth>& truth,
                                     const Command& command, double t) {
   std::vector<SnapshotBody> bodies(std::max(e.bodies.size(), truth ? truth->bodies.size() : 0));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!e.started) bodies[i].state = e.status.state;
     if (i < e.bodies.size()) {
       put_estimate(e.bodies[i], t, bodies[i]);
       bodies[i].state = state_of(e, i);

@@ -36,11 +36,6 @@ bool has_pose(const SnapshotBody& body) {
   return body.state != TrackingState::starting && body.state != TrackingState::lost;
 }
 
-bool has_poses(const Snapshot& snapshot) {
-  return !snapshot.bodies.empty() && std::all_of(snapshot.bodies.begin(), snapshot.bodies.end(),
-                                                 [](const SnapshotBody& body) { return has_pose(body); });
-}
-
 int mapped_landmarks(const Snapshot& snapshot) {
   return static_cast<int>(std::count_if(snapshot.landmarks.begin(), snapshot.landmarks.end(),
                                         [](const SnapshotLandmark& landmark) { return !landmark.anchor; }));

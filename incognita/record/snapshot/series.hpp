@@ -11,8 +11,6 @@ namespace incognita {
 
 /// Whether the estimated pose of a body is valid: not while starting or lost.
 bool has_pose(const SnapshotBody& body);
-/// Whether those of all bodies are.
-bool has_poses(const Snapshot& snapshot);
 
 /// Number of landmarks in the map, without anchors.
 int mapped_landmarks(const Snapshot& snapshot);

@@ -7,6 +7,7 @@
 
 #include "incognita/math/quaternion.hpp"
 #include "incognita/record/files/quantile.hpp"
+#include "incognita/record/snapshot/series.hpp"
 
 namespace incognita {
 namespace {
@@ -34,9 +35,11 @@ double from_path_m(const SnapshotBody& body, bool flies, const Eigen::Vector2d& 
 
 void PathDistanceSummary::add(const Snapshot& s) {
   from_path_m_.resize(std::max(from_path_m_.size(), s.bodies.size()));
-  for (std::size_t i = 0; i < s.bodies.size(); ++i)
+  for (std::size_t i = 0; i < s.bodies.size(); ++i) {
+    if (!has_pose(s.bodies[i])) continue;
     if (const double distance_m = from_path_m(s.bodies[i], flies_, steered_m_); std::isfinite(distance_m))
       from_path_m_[i].push_back(distance_m);
+  }
 }
 
 std::vector<PathDistance> PathDistanceSummary::bodies(std::size_t count) const {

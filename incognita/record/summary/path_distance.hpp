@@ -20,7 +20,7 @@ class PathDistanceSummary {
  public:
   PathDistanceSummary(bool flies, const Eigen::Vector2d& steered_m) : flies_(flies), steered_m_(steered_m) {}
 
-  /// Adds a snapshot with valid poses.
+  /// Adds the bodies whose poses are valid.
   void add(const Snapshot& snapshot);
 
   /// Of `count` bodies.

@@ -165,9 +165,10 @@ void RunSummary::add(const Snapshot& snapshot) {
   if (frames_ == 0) first_t_s_ = snapshot.tick.t;
   last_t_s_ = snapshot.tick.t;
   ++frames_;
-  if (has_poses(snapshot)) ++tracked_frames_;
-  if (snapshot.status.state == TrackingState::degraded) ++degraded_frames_;
-  if (snapshot.status.state == TrackingState::lost) ++lost_frames_;
+  const TrackingState state = snapshot.status.state;
+  if (state != TrackingState::starting && state != TrackingState::lost) ++tracked_frames_;
+  if (state == TrackingState::degraded) ++degraded_frames_;
+  if (state == TrackingState::lost) ++lost_frames_;
   for (const SnapshotBody& body : snapshot.bodies) decisions_ += body.decision.decided;
   exploration_.add(snapshot);
   landmarks_ = mapped_landmarks(snapshot);
@@ -178,7 +179,7 @@ void RunSummary::add(const Snapshot& snapshot) {
   paths_.add(snapshot);
   if (!survey_.landmarks.empty()) map_ = snapshot.landmarks;
   compare_with_truth(snapshot);
-  if (has_poses(snapshot) && alignment_ == AlignmentKind::none) distances_.add(snapshot);
+  if (alignment_ == AlignmentKind::none) distances_.add(snapshot);
   for (const auto& [stage, ms] : snapshot.timing_ms) {
     auto found =
         std::find_if(stage_ms_.begin(), stage_ms_.end(), [&](const auto& s) { return s.first == stage; });

@@ -141,7 +141,8 @@ void SlamEstimator::predict(Estimate& e, const Command& command, const Observati
     const BodyModel& model = settings_.bodies[i];
     e.bodies[i].wheels.reset();
     if (traits_of(model.motion).in_space()) e.bodies[i].wheels = mean_input(observed.odometry);
-    if (bodies_[i].was_lost && model.sensors.empty())
+    e.bodies[i].waits = bodies_[i].was_lost && model.sensors.empty();
+    if (e.bodies[i].waits)
       e.bodies[i].t = tick.t;
     else
       predict_body(e, i, commanded_input(command, i, model.motion), observed, tick, settings_);
@@ -247,16 +248,18 @@ void SlamEstimator::relocate(Estimate& e, std::size_t which) {
   Body& body = e.bodies[which];
   if (body.counts.matched == 0) return;
   if (sigma_position(body) <= settings_.health.max_sigma_position_m) {
-    body.status = {TrackingState::relocated, std::to_string(body.counts.matched) + " features matched again"};
+    body.status = {TrackingState::relocated,
+                   std::to_string(body.counts.matched) + " measurements match again"};
     body.health = {};
-    e.health = {};
+    if (std::ranges::all_of(bodies_, &TrackedBody::was_lost))
+      e.health = {};  // else it is about the others, too
     return;
   }
   search_around_last_pose(e, which);
   for (FeatureTracker& camera : cameras_)
     if (camera.camera().body == which) camera.discard_matches();
   count_matches(e, which, -body.counts.image_matches, true);
-  if (e.last.image_matches == 0) e.last.update = {};
+  if (e.last.matched == 0) e.last.update = {};
 }
 
 /// Puts a body with cameras at rest at its last pose.

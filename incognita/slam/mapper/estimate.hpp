@@ -49,6 +49,7 @@ struct Body {
   SmallMatrix state_covariance;  ///< of the state error
   RigidPose pose = {};           ///< as a rigid body in space
   Eigen::Matrix<double, 6, 6> pose_covariance = Eigen::Matrix<double, 6, 6>::Zero();  ///< of its error
+  bool waits = false;  ///< lost, with no sensor but its cameras: not predicted until they recognize the map
   MatchCounts counts;
   TrackingStatus status;
   BodyHealth health;
@@ -149,10 +150,13 @@ struct Estimate {
   }
 };
 
-/// Whether a body is lost. An estimator of one body may set the status of the estimate only.
+/// State of a body. An estimator of your own may set the status of the estimate only, for all bodies.
+inline TrackingState state_of(const Estimate& estimate, std::size_t body) {
+  const TrackingState own = estimate.bodies.at(body).status.state;
+  return !estimate.started || own == TrackingState::starting ? estimate.status.state : own;
+}
 inline bool is_lost(const Estimate& estimate, std::size_t body) {
-  const bool alone = estimate.bodies.size() == 1;
-  return (alone ? estimate.status : estimate.bodies.at(body).status).state == TrackingState::lost;
+  return state_of(estimate, body) == TrackingState::lost;
 }
 
 /// First number of the features of cameras where point sensors report identities, which are smaller.

@@ -17,23 +17,23 @@ double innovation_sigmas(const Estimate& e) {
   return e.health.recent_rows > 0 ? std::sqrt(e.health.recent_nis / e.health.recent_rows) : 0;
 }
 
-/// Number of landmarks and anchors predicted in view of a point sensor.
-int landmarks_in_view(const Estimate& e, int which, int sensor_index, const EstimatorSettings& settings) {
+/// Whether a landmark is predicted in view of a point sensor, with a measurement that would correct the filter.
+bool is_expected(const Estimate& e, const Landmark& landmark, int which, int sensor_index,
+                 const EstimatorSettings& settings) {
   const AnyMotion& motion = settings.bodies[static_cast<std::size_t>(which)].motion;
   const PointSensor& sensor = sensor_of(settings, which, sensor_index);
+  if (!is_measurable(landmark, sensor.sensor)) return false;
   const SmallVector state = e.belief.mean(e.bodies[static_cast<std::size_t>(which)].block);
+  const SmallVector mean =
+      landmark.fixed ? anchor_position(e, landmark.position) : SmallVector(e.belief.mean(landmark.block));
+  const auto at = position_of(landmark.form, mean);
+  const auto prediction = predict_measurement(sensor.sensor, motion, state, landmark.form, mean);
+  if (!prediction || !at) return false;
   const SmallVector from = position_of(motion, state, dimensions_of(sensor.sensor)).position;
-  int count = 0;
-  for (const auto& [id, landmark] : e.landmarks) {
-    if (!is_measurable(landmark, sensor.sensor)) continue;
-    const SmallVector mean =
-        landmark.fixed ? anchor_position(e, landmark.position) : SmallVector(e.belief.mean(landmark.block));
-    const auto prediction = predict_measurement(sensor.sensor, motion, state, landmark.form, mean);
-    const auto at = position_of(landmark.form, mean);
-    count += prediction && at &&
-             is_in_view(sensor.sensor, sensor.limits, *prediction, (at->position - from).norm());
-  }
-  return count;
+  if (!is_in_view(sensor.sensor, sensor.limits, *prediction, (at->position - from).norm())) return false;
+  const auto measurement =
+      linearize_detection(e, which, false, {landmark.id, prediction->z, sensor_index}, settings);
+  return measurement && measurement->is_linear;
 }
 
 /// Landmarks are detected by the body's point sensors, none is matched, and enough are predicted in their view.
@@ -42,7 +42,9 @@ bool recognizes_nothing(const Estimate& e, int body, const EstimatorSettings& se
   for (const Match& match : e.last.matches)
     if (match.body == body && !match.of_body && !match.image) detecting.insert(match.sensor);
   int expected = 0;
-  for (const int sensor : detecting) expected += landmarks_in_view(e, body, sensor, settings);
+  for (const int sensor : detecting)
+    for (const auto& [id, landmark] : e.landmarks)
+      expected += is_expected(e, landmark, body, sensor, settings);
   return !detecting.empty() && expected >= settings.health.min_expected;
 }
 
@@ -158,12 +160,17 @@ TrackingStatus assess(Estimate& e, std::size_t which, int frames, const Estimato
 }
 
 TrackingStatus worst_of(const std::vector<Body>& bodies) {
-  std::size_t worst = 0;
-  for (std::size_t i = 1; i < bodies.size(); ++i)
-    if (badness(bodies[i].status.state) > badness(bodies[worst].status.state)) worst = i;
-  TrackingStatus status = bodies.at(worst).status;
+  const auto is_better = [](const Body& a, const Body& b) {
+    return badness(a.status.state) < badness(b.status.state);
+  };
+  const auto worst = std::max_element(bodies.begin(), bodies.end(), is_better);
+  const bool all_alike =
+      std::ranges::none_of(bodies, [&](const Body& body) { return is_better(body, *worst); });
+  TrackingStatus status = worst->status;
   if (bodies.size() > 1 && !status.reason.empty())
-    status.reason = "vehicle " + std::to_string(worst + 1) + ": " + status.reason;
+    status.reason =
+        (all_alike ? "all vehicles: " : "vehicle " + std::to_string(worst - bodies.begin() + 1) + ": ") +
+        status.reason;
   return status;
 }
 

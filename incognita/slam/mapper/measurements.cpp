@@ -79,15 +79,15 @@ bool too_near(const Estimate& e, std::size_t viewer, std::size_t other, int dime
   return ((changes * squared_share).array() > R.diagonal().array()).any();
 }
 
-/// Whether a landmark of unknown depth is seen from so far beside the ray of its initialization that the first-order
-/// model fails: the second-order term of the measurement over one sigma of the inverse depth exceeds its noise. From
-/// near that ray, as by the body that initialized it, this term is small whatever the depth.
-bool too_unsure_of_depth(const Estimate& e, const PointSensor& sensor, const AnyMotion& motion,
-                         const SmallVector& state, const Target& target, const SmallVector& predicted,
-                         const SmallMatrix& R) {
-  if (target.form.kind == LandmarkParametrization::Kind::point || !target.block) return false;
+/// See LinearizedDetection::is_linear. By differences of the prediction over a tenth of a sigma: farther away the landmark
+/// may lie behind the sensor.
+bool is_linear_in_depth(const Estimate& e, const PointSensor& sensor, const AnyMotion& motion,
+                        const SmallVector& state, const Target& target, const SmallVector& predicted,
+                        const SmallMatrix& R) {
+  if (target.form.kind == LandmarkParametrization::Kind::point || !target.block) return true;
+  constexpr double share = 0.1;
   const Eigen::Index depth = target.mean.size() - 1;
-  const double sigma = std::sqrt(e.belief.covariance(*target.block)(depth, depth));
+  const double step = share * std::sqrt(e.belief.covariance(*target.block)(depth, depth));
   const auto change = [&](double by) -> std::optional<SmallVector> {
     SmallVector moved = target.mean;
     moved[depth] += by;
@@ -95,10 +95,10 @@ bool too_unsure_of_depth(const Estimate& e, const PointSensor& sensor, const Any
     if (!there) return std::nullopt;
     return residual_of(sensor.sensor, there->z, predicted);
   };
-  const auto nearer = change(sigma), farther = change(-sigma);
-  if (!nearer || !farther) return true;
-  const SmallVector second_order = (*nearer + *farther) / 2;
-  return (second_order.array().square() > R.diagonal().array()).any();
+  const auto nearer = change(step), farther = change(-step);
+  if (!nearer || !farther) return false;
+  const SmallVector second_order = (*nearer + *farther) / (2 * share * share);
+  return (second_order.array().square() <= R.diagonal().array()).all();
 }
 
 }  // namespace
@@ -142,15 +142,14 @@ std::optional<LinearizedDetection> linearize_detection(const Estimate& e, int bo
   if (of_body && too_near(e, static_cast<std::size_t>(body), static_cast<std::size_t>(detection.identity),
                           dimensions, derived->Hl, R, settings))
     return std::nullopt;
-  if (!of_body &&
-      too_unsure_of_depth(e, sensor, motion, e.belief.mean(viewer.block), *target, prediction->z, R))
-    return std::nullopt;
   LinearizedDetection out;
   out.predicted = prediction->z;
   out.linearized.add(viewer.block, derived->Hv);
   if (target->block) out.linearized.add(*target->block, (derived->Hl * target->by_block).eval());
   out.linearized.residual = residual_of(sensor.sensor, detection.z, prediction->z);
   out.linearized.R = R;
+  out.is_linear =
+      is_linear_in_depth(e, sensor, motion, e.belief.mean(viewer.block), *target, prediction->z, R);
   return out;
 }
 

@@ -12,6 +12,9 @@ namespace incognita {
 struct LinearizedDetection {
   LinearizedMeasurement linearized;
   SmallVector predicted;
+  /// False for a landmark of unknown depth that is seen from far beside the ray of its initialization: the second-order
+  /// term of the measurement over one sigma of the inverse depth exceeds its noise, and it must not correct the filter.
+  bool is_linear = true;
 };
 
 /// The sensor that made a detection. Throws std::out_of_range when the body has no such sensor.

@@ -63,6 +63,7 @@ struct Association {
     const auto at = linearize_detection(e, match.body, match.of_body, detection_of(match), settings);
     if (!at) return;
     match.predicted = at->predicted;
+    if (!at->is_linear) return;
     e.belief.innovation_covariance({&at->linearized, 1}, inliers.S);
     match.innovation_cov = inliers.S;
     const bool inside = gate.has(distance_of(at->linearized, match.innovation_cov), at->linearized.rows());
@@ -122,9 +123,11 @@ struct Association {
     }
   }
 
+  /// A body that waits where it was lost may be elsewhere.
   void bodies(int body, const std::vector<PointDetection>& detections) {
     for (const PointDetection& detection : detections) {
       note(e, body, true, detection.identity, detection);
+      if (e.bodies[static_cast<std::size_t>(detection.identity)].waits) continue;
       linearize_and_gate(e.last.matches.size() - 1);
     }
   }

@@ -103,7 +103,7 @@ class UnidentifiedDetections {
       if (llt.info() != Eigen::Success) continue;
       const double distance = llt.matrixL().solve(SmallVector(expected->linearized.residual)).squaredNorm();
       if (distance <= initialization_gate_) is_new_[s] = false;
-      if (distance > gate_) continue;
+      if (distance > gate_ || !expected->is_linear) continue;
       const int measurement = static_cast<int>(s), landmark = static_cast<int>(numbers_.size());
       candidates_.push_back({measurement, landmark, distance});
       if (settings_.association.method == DataAssociationSettings::Method::joint)

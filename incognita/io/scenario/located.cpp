@@ -9,7 +9,8 @@
 namespace incognita {
 namespace {
 
-/// The settings with these keys that the scenario has, first those of the command line, then those of the file.
+/// The settings with these keys that the scenario has, first those of the command line, then those of the file. The seed
+/// is never the first: any other may not fit either.
 std::vector<SettingInForce> settings_of(const LoadedScenario& loaded, const std::vector<std::string>& keys) {
   std::vector<SettingInForce> settings;
   for (const std::string& key : keys) {
@@ -20,7 +21,7 @@ std::vector<SettingInForce> settings_of(const LoadedScenario& loaded, const std:
   }
   std::stable_partition(settings.begin(), settings.end(), [](const auto& s) { return s.is_given(); });
   std::stable_partition(settings.begin(), settings.end(),
-                        [](const auto& s) { return s.source.starts_with("--"); });
+                        [](const auto& s) { return s.source.starts_with("--") && s.key != "run.seed"; });
   return settings;
 }
 

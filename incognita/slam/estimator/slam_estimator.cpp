@@ -47,6 +47,7 @@ SlamEstimator::SlamEstimator(EstimatorSettings settings, std::vector<FeatureTrac
   const std::string problem = problem_of(settings_, cameras_);
   if (!problem.empty()) throw std::invalid_argument(problem);
   for (std::size_t k = 0; k < cameras_.size(); ++k) cameras_[k].set_index(static_cast<int>(k));
+  frame_counters_.resize(cameras_.size());
   bodies_.resize(settings_.bodies.size());
 }
 
@@ -92,13 +93,28 @@ void SlamEstimator::see(const Observation& observation) {
   }
 }
 
+/// Frames that all cameras of a body have missed; nothing if none of them ever had an image.
+std::optional<int> SlamEstimator::missed_frames(std::size_t body) const {
+  std::optional<int> least;
+  for (std::size_t k = 0; k < cameras_.size(); ++k) {
+    const std::optional<int> missed = frame_counters_[k].missed();
+    if (cameras_[k].camera().body == body && missed) least = std::min(least.value_or(*missed), *missed);
+  }
+  return least;
+}
+
 /// Frames of each body at this tick; none without cameras.
 void SlamEstimator::count_frames(const Tick& tick) {
+  for (TrackedBody& body : bodies_) body.frames = 0;
+  for (std::size_t k = 0; k < cameras_.size(); ++k) {
+    frame_counters_[k].update(cameras_[k].has_image(), tick.t);
+    if (cameras_[k].has_image()) bodies_[cameras_[k].camera().body].frames = 1;
+  }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const bool has_image = std::ranges::any_of(cameras_, [&](const FeatureTracker& camera) {
-      return camera.camera().body == i && camera.has_image();
-    });
-    bodies_[i].frames = carries_camera(i) ? bodies_[i].counter.count(has_image, tick.t) : 0;
+    if (!carries_camera(i)) continue;
+    const int missed = missed_frames(i).value_or(bodies_[i].missed + 1);
+    if (bodies_[i].frames == 0) bodies_[i].frames = missed - bodies_[i].missed;
+    bodies_[i].missed = missed;
   }
 }
 

@@ -6,6 +6,7 @@
 // correction with all inliers; then the map is maintained and the health of the estimate assessed.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +42,7 @@ class SlamEstimator final : public Estimator {
  private:
   void see(const Observation& observation);
   void count_frames(const Tick& tick);
+  std::optional<int> missed_frames(std::size_t body) const;
   void note_lost(const Estimate& estimate);
   bool carries_camera(std::size_t body) const;
   void predict(Estimate& estimate, const Command& command, const Observation& observation, const Tick& tick);
@@ -58,13 +60,14 @@ class SlamEstimator final : public Estimator {
 
   /// Of a body at the current tick.
   struct TrackedBody {
-    FrameCounter counter;
-    int frames = 0;         ///< of its cameras, see FrameCounter
+    int frames = 0;  ///< of its cameras: 1 with an image, else those that all of them have missed since
+    int missed = 0;  ///< since their last image
     bool was_lost = false;  ///< before this tick, of a body with cameras
   };
 
   EstimatorSettings settings_;
   std::vector<FeatureTracker> cameras_;
+  std::vector<FrameCounter> frame_counters_;  ///< of each camera
   EstimatorStart start_;
   std::vector<TrackedBody> bodies_;
   Inliers inliers_;

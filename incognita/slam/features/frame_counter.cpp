@@ -1,8 +1,6 @@
 #include "incognita/slam/features/frame_counter.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace incognita {
 
@@ -15,19 +13,15 @@ double FrameCounter::period_s() const {
   return sorted[known / 2];
 }
 
-int FrameCounter::count(bool has_image, double t) {
+void FrameCounter::update(bool has_image, double t) {
   if (has_image) {
-    if (image_t_) intervals_[interval_count_++ % intervals_.size()] = t - *image_t_;
+    if (image_t_ && t > *image_t_) intervals_[interval_count_++ % intervals_.size()] = t - *image_t_;
     image_t_ = t;
     missed_ = 0;
-    return 1;
+  } else if (image_t_) {
+    constexpr double slack = 0.25;
+    missed_ = static_cast<int>(std::clamp((t - *image_t_) / period_s() - slack, 0.0, 1e6));
   }
-  const double period = period_s();
-  if (!image_t_ || !(period > 0)) return 1;
-  constexpr double slack = 0.25;
-  const double late = std::max(0.0, (t - *image_t_) / period - slack);
-  const int missed = static_cast<int>(std::min(1e6, late));
-  return missed - std::exchange(missed_, missed);
 }
 
 }  // namespace incognita

@@ -164,8 +164,8 @@ TrackingStatus worst_of(const std::vector<Body>& bodies) {
     return badness(a.status.state) < badness(b.status.state);
   };
   const auto worst = std::max_element(bodies.begin(), bodies.end(), is_better);
-  const bool all_alike =
-      std::ranges::none_of(bodies, [&](const Body& body) { return is_better(body, *worst); });
+  const bool all_alike = std::ranges::all_of(
+      bodies, [&](const Body& body) { return body.status.reason == worst->status.reason; });
   TrackingStatus status = worst->status;
   if (bodies.size() > 1 && !status.reason.empty())
     status.reason =

@@ -27,7 +27,7 @@ TrackingStatus assess(Estimate& estimate, std::size_t body, int frames, const Es
 /// Counts the ticks whose innovations are too large; once per tick, before the bodies are assessed.
 void count_doubted(Estimate& estimate, const HealthSettings& settings);
 
-/// Status of the estimate: that of the body that is worst, with its number unless all are in the same state.
+/// Status of the estimate: that of the body that is worst, with its number unless all have the same reason.
 TrackingStatus worst_of(const std::vector<Body>& bodies);
 
 }  // namespace incognita

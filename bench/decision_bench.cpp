@@ -25,7 +25,7 @@ namespace {
 
 constexpr double dt = 1.0 / 30;
 
-CameraSlamSettings twelve_looks() {
+CameraSlamSettings twelve_measurements() {
   CameraSlamSettings slam;
   slam.search.max_measurements = 12;  // 24 rows
   slam.map.max_view_angle_rad = 3;
@@ -85,7 +85,7 @@ double by_determinants(const Eigen::MatrixXd& P, const ImaginedStep& step, const
 
 MapExpectation by_one_camera() {
   std::vector<MapExpectation::OfBody> bodies(1);
-  bodies[0].push_back(std::make_unique<ImageExpectation>(WideAngleCamera{}, twelve_looks()));
+  bodies[0].push_back(std::make_unique<ImageExpectation>(WideAngleCamera{}, twelve_measurements()));
   return MapExpectation(std::move(bodies));
 }
 
@@ -206,7 +206,8 @@ void frame(benchmark::State& state) {
   ActiveSettings settings;
   settings.decision.gaze = DecisionSettings::Gaze::mutual_information;
   settings.exploration.expected_landmarks = landmarks + 30;
-  const auto decision = decide_for(single_camera(WideAngleCamera{}, {}, twelve_looks(), 10, 1), settings);
+  const auto decision =
+      decide_for(single_camera(WideAngleCamera{}, {}, twelve_measurements(), 10, 1), settings);
   std::vector<double> all, deciding, reporting_ms;
   for (auto _ : state) {
     const Tick tick = next();
@@ -228,7 +229,7 @@ void frame(benchmark::State& state) {
   state.counters["median_ms"] = median(all);
   state.counters["p99_ms"] = all[all.size() * 99 / 100];
   state.counters["deciding_ms"] = median(deciding);
-  state.counters["telling_ms"] = median(reporting_ms);
+  state.counters["reporting_ms"] = median(reporting_ms);
   state.counters["states"] = static_cast<double>(estimate.belief.errors());
 }
 BENCHMARK(frame)->Arg(100)->Arg(300)->Arg(1000)->Iterations(300)->UseManualTime()->Unit(

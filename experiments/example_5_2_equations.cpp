@@ -13,19 +13,19 @@ namespace {
 
 using namespace closed_loop;
 
-constexpr int places = 1000;
+constexpr int samples = 1000;
 constexpr double as_good_as_zero = 1e-9;
 
-struct Place {
+struct Sample {
   Pose pose;
   Vector2d input;
 };
 
-std::vector<Place> some_places() {
+std::vector<Sample> some_samples() {
   RandomStream random(1, "places");
-  std::vector<Place> all;
-  for (int i = 0; i < places; ++i) {
-    Place p;
+  std::vector<Sample> all;
+  for (int i = 0; i < samples; ++i) {
+    Sample p;
     p.pose << random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(-3.1, 3.1);
     p.input << random.uniform(-1, 1), random.uniform(-1, 1);
     all.push_back(p);
@@ -36,7 +36,7 @@ std::vector<Place> some_places() {
 Claim model() {
   Worst worst;
   double held = 0;
-  for (const Place& p : some_places()) {
+  for (const Sample& p : some_samples()) {
     const Vector2d y = p.pose.head<2>(), velocity = point_velocity_by_input(body, p.pose[2]) * p.input;
     const Vector2d next = moved(p.pose, p.input).head<2>();
     worst.take((velocity - next).norm(), (velocity - body.rate<double>(p.pose, p.input).head<2>()).norm());
@@ -47,16 +47,16 @@ Claim model() {
       {.printed = "y_(k+1) = Q_r u_k",
        .measured = {"largest difference at {} poses and inputs: printed {:.3g} m; its velocity from Q_r u, "
                     "in m/s, {}; y_k + dt Q_r u_k with the input held for {} s {:.2g} m",
-                    places, worst.printed, below(worst.ours), period_s, held},
+                    samples, worst.printed, below(worst.ours), period_s, held},
        .why = "it is the velocity of the point that is Q_r u, so that y_(k+1) is y_k + dt Q_r u_k but for "
               "what the body turns meanwhile",
-       .runs = places},
+       .runs = samples},
       worst, as_good_as_zero);
 }
 
 Claim linearized() {
   double worst = 0, turned = 0;
-  for (const Place& p : some_places()) {
+  for (const Sample& p : some_samples()) {
     const Vector2d wanted = p.input;  // any velocity
     const Vector2d u = input_for_velocity(body, p.pose[2], wanted);
     worst = std::max(worst, (body.rate<double>(p.pose, u).head<2>() - wanted).norm());
@@ -70,8 +70,8 @@ Claim linearized() {
                   {.printed = "exact",
                    .measured = {"largest difference at {} poses and velocities, in m/s: {}. Held for {} s at "
                                 "up to 1 rad/s the motion is turned by up to {:.1f} deg",
-                                places, below(worst), period_s, turned},
-                   .runs = places},
+                                samples, below(worst), period_s, turned},
+                   .runs = samples},
                   worst <= as_good_as_zero);
 }
 

@@ -145,7 +145,7 @@ std::vector<int> nearest_neighbors(const AnyBelief& belief, const std::vector<Pa
 }
 
 /// Two rows of posts half a metre apart, seen by a vehicle that is 0.4 m beside where it believes to be: each
-/// post looks nearest to its neighbour's.
+/// post looks nearest to its neighbor's.
 TEST(JointCompatibility, HoldsWhereNearestNeighborsTakeTheWrongPost) {
   const std::vector<Vector2d> posts = {{4, -1}, {4, -0.4}, {4, 0.2}, {4, 0.8}, {4.9, 0.5}};
   const Scene scene(posts, 0.3, 0.01);

@@ -165,16 +165,20 @@ TEST(Navigator, StartsAtFixesOfDifferentTimes) {
   EXPECT_NEAR((navigator.pose(1).pose.position.head<2>() - Eigen::Vector2d(5, 6)).norm(), 0, 1e-12);
 }
 
-/// The images of two cameras on one body come one after the other.
-TEST(Navigator, StartsWithImagesOfDifferentTimes) {
-  const Image image = tiles();
+SlamEstimator two_cameras_on_a_body() {
   const CameraSlamSettings s;
   EstimatorSettings settings;
   settings.bodies.push_back(free_camera_body(s.filter));
   std::vector<FeatureTracker> cameras;
   cameras.emplace_back(WideAngleCamera{}, s, CameraPlacement{}, 1);
   cameras.emplace_back(WideAngleCamera{}, s, CameraPlacement{.mount = Mount{.up_m = 0}}, 2);
-  Navigator navigator{SlamEstimator(std::move(settings), std::move(cameras))};
+  return SlamEstimator(std::move(settings), std::move(cameras));
+}
+
+/// The images of two cameras on one body come one after the other.
+TEST(Navigator, StartsWithImagesOfDifferentTimes) {
+  const Image image = tiles();
+  Navigator navigator{two_cameras_on_a_body()};
   const ImageView view{image.row(0), 320, 240, 320};
   for (int k = 0; k < 6; ++k) navigator.add_image(view, k / 30.0, 0, static_cast<std::size_t>(k % 2));
   EXPECT_EQ(navigator.status().state, TrackingState::tracking) << navigator.status().reason;
@@ -202,13 +206,7 @@ TEST(Navigator, MayAdvanceMoreOftenThanImagesCome) {
 /// 200 Hz between them.
 TrackingState after_images_in_turn(double offset_s, double until_s, double failed_from_s) {
   const Image image = tiles();
-  const CameraSlamSettings s;
-  EstimatorSettings settings;
-  settings.bodies.push_back(free_camera_body(s.filter));
-  std::vector<FeatureTracker> cameras;
-  cameras.emplace_back(WideAngleCamera{}, s, CameraPlacement{}, 1);
-  cameras.emplace_back(WideAngleCamera{}, s, CameraPlacement{.mount = Mount{.up_m = 0}}, 2);
-  Navigator navigator{SlamEstimator(std::move(settings), std::move(cameras))};
+  Navigator navigator{two_cameras_on_a_body()};
   const ImageView view{image.row(0), 320, 240, 320};
   for (int k = 0; 0.005 * k < until_s; ++k) {
     const double t = 0.005 * k;

@@ -94,8 +94,7 @@ Json match() {
 }
 
 Json decision() {
-  const Json candidate =
-      object({{"action", text()}, {"score", number("in nats unless the metric is a trace"), sometimes}});
+  const Json candidate = object({{"action", text()}, {"score", number("nats"), sometimes}});
   return object({{"decided", flag("whether a decision was taken in this frame")},
                  {"chosen", integer("index of the current action, -1 for none")},
                  {"candidates", array(candidate)}});

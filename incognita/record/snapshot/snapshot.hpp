@@ -49,7 +49,7 @@ inline const char* kind(const SnapshotMatch& match) {
 /// The decision for one body.
 struct SnapshotDecision {
   std::vector<std::string> actions;  ///< names, constant over a run
-  std::vector<double> scores;        ///< one per action, of this frame; in nats unless the metric is a trace
+  std::vector<double> scores;        ///< nats, one per action, of this frame
   int chosen = -1;                   ///< index of the action in force
   bool decided = false;              ///< whether a decision was made in this frame
 };

@@ -127,8 +127,35 @@ void BodyController::steer(const SmallVector& state, double since_start_s, BodyC
   command.reference = Eigen::Vector4d(r.position.x(), r.position.y(), r.position.z(), r.heading);
 }
 
+/// A person drives the body, flies it, or says what its operator is shown.
+BodyCommand BodyController::by_hand(const SmallVector& state, const ManualDrive& drive,
+                                    const BodyObservation& observed, double t) {
+  BodyCommand command;
+  if (control_.operator_controlled) {
+    command.operator_controlled = true;
+    command.shown = display_.show(CameraState(state), drive, t);
+  } else if (flies()) {
+    if (!flight_) flight_.emplace();
+    const SmallVector& most = control_.steering.most_input;
+    const SmallVector input = flight_->act(CameraState(state), drive, t, control_.steering.camera);
+    command.input = input.cwiseMax(-most).cwiseMin(most);
+    command.reference = flight_->reference();
+  } else {
+    command.input = manual_input(drive, control_.steering.most_input);
+    if (takes_speed_and_turn_rate(control_.motion))
+      command.input = clear_of_obstacles(command.input, observed);
+  }
+  return command;
+}
+
 BodyCommand BodyController::act(const SmallVector& state, const BodyGoal* goal,
                                 const BodyObservation& observed, double t, double since_start_s) {
+  if (!goal || !goal->manual) flight_.reset();
+  if (goal && goal->manual) {
+    lost_t_.reset();
+    last_known_ = state;
+    return by_hand(state, *goal->manual, observed, t);
+  }
   if (control_.operator_controlled) return shown(goal);
   lost_t_.reset();
   last_known_ = state;
@@ -158,8 +185,10 @@ double BodyController::braking_s() const {
   return std::max(least_braking_s, (last_known_.tail<6>().cwiseAbs().array() / most.array()).maxCoeff());
 }
 
-BodyCommand BodyController::act_when_lost(double t) {
+BodyCommand BodyController::act_when_lost(const BodyGoal* goal, const BodyObservation& observed, double t) {
+  flight_.reset();
   if (control_.operator_controlled) return shown(nullptr);
+  if (goal && goal->manual && !flies()) return by_hand({}, *goal->manual, observed, t);
   if (!lost_t_) lost_t_ = t;
   BodyCommand command;
   command.input = SmallVector::Zero(inputs_of(control_.motion));

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "incognita/control/manual_control.hpp"
 #include "incognita/control/obstacle_avoidance.hpp"
 #include "incognita/control/steering.hpp"
 #include "incognita/messages/command.hpp"
@@ -41,13 +42,15 @@ class BodyController {
   BodyCommand act(const SmallVector& state, const BodyGoal* goal, const BodyObservation& observed, double t,
                   double since_start_s);
 
-  /// The command while the estimate is lost: vehicles stand still; a body in space would drift, so it brakes from its
-  /// last known motion.
-  BodyCommand act_when_lost(double t);
+  /// The command while the estimate is lost: vehicles stand still, or go where a person drives them; a body in space
+  /// would drift, so it brakes from its last known motion.
+  BodyCommand act_when_lost(const BodyGoal* goal, const BodyObservation& observed, double t);
 
  private:
   bool flies() const { return !control_.carried_at && traits_of(control_.motion).in_space(); }
   double braking_s() const;
+  BodyCommand by_hand(const SmallVector& state, const ManualDrive& drive, const BodyObservation& observed,
+                      double t);
   void head_for(const BodyGoal& goal);
   Eigen::Vector2d clear_of_obstacles(const Eigen::Vector2d& desired, const BodyObservation& observed);
   void fly(const BodyGoal& goal, double t, BodyCommand& command);
@@ -61,6 +64,8 @@ class BodyController {
   std::optional<double> lost_t_;
   std::optional<double> first_heading_, first_t_;  ///< center and start of the swing of the gaze
   TurnSide turn_side_ = TurnSide::none;
+  std::optional<ManualFlight> flight_;  ///< while a person flies the body
+  ManualDisplay display_;
 };
 
 }  // namespace incognita

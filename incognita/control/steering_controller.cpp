@@ -17,7 +17,7 @@ Command SteeringController::act(const Estimate& estimate, const Goal& goal, cons
   for (std::size_t i = 0; i < std::min(bodies_.size(), estimate.bodies.size()); ++i) {
     const BodyGoal* own = i < goal.bodies.size() ? &goal.bodies[i] : nullptr;
     command.bodies.push_back(is_lost(estimate, i)
-                                 ? bodies_[i].act_when_lost(tick.t)
+                                 ? bodies_[i].act_when_lost(own, body_of(observation, i), tick.t)
                                  : bodies_[i].act(estimate.bodies[i].state, own, body_of(observation, i),
                                                   tick.t, tick.t - *first_t_));
   }

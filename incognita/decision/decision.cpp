@@ -61,6 +61,20 @@ void Decision::forget(std::size_t body) {
   goal.drive.reset();
 }
 
+void Decision::restart(std::size_t body) {
+  forget(body);
+  goal_.bodies[body] = {};
+  goal_.bodies[body].scores.assign(choices_[body]->names().size(), 0);
+}
+
+void Decision::change(std::vector<std::unique_ptr<BodyChoice>> choices) {
+  bool same = choices.size() == choices_.size();
+  for (std::size_t i = 0; same && i < choices.size(); ++i) same = choices[i]->names() == choices_[i]->names();
+  if (!same)
+    throw std::invalid_argument("these settings change the candidate actions, which are constant over a run");
+  choices_ = std::move(choices);
+}
+
 /// Time since the last call, s: it may be called less often than the estimate is updated, or more often.
 double Decision::since_last_call(const Tick& tick) {
   const double since_s = last_t_ ? tick.t - *last_t_ : tick.dt;
@@ -106,22 +120,28 @@ Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& 
   return goal_;
 }
 
+std::vector<std::unique_ptr<BodyChoice>> choices_for(const SlamEstimator& estimator,
+                                                     const ActiveSettings& s) {
+  std::vector<std::unique_ptr<BodyChoice>> choices;
+  const std::vector<BodyModel>& bodies = estimator.settings().bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) choices.push_back(choice_of(s, bodies[i], i));
+  return choices;
+}
+
 std::unique_ptr<Decision> decide_for(const SlamEstimator& estimator, const ActiveSettings& s) {
   const EstimatorSettings& settings = estimator.settings();
   if (settings.filter.map_frame == MapFrame::vehicle)
     throw std::invalid_argument(
         "estimator.map_frame = `vehicle`: information gain is predicted in the world frame; take `world`");
-  std::vector<std::unique_ptr<BodyChoice>> choices;
   std::vector<MapExpectation::OfBody> sensors;
   for (std::size_t i = 0; i < settings.bodies.size(); ++i) {
-    choices.push_back(choice_of(s, settings.bodies[i], i));
     sensors.push_back(sensors_of(estimator, i, s));
     if (sensors.back().empty())
       throw std::invalid_argument("a decision needs a sensor on every body, and body " +
                                   std::to_string(i + 1) + " has none");
   }
-  return std::make_unique<Decision>(std::move(choices), MapExpectation(std::move(sensors)), s.exploration,
-                                    s.seed);
+  return std::make_unique<Decision>(choices_for(estimator, s), MapExpectation(std::move(sensors)),
+                                    s.exploration, s.seed);
 }
 
 }  // namespace incognita

@@ -30,6 +30,11 @@ class Decision final : public Strategy {
   Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick) override;
   Goal choose(const Estimate& estimate, const Tick& tick) { return choose(estimate, {}, tick); }
 
+  void restart(std::size_t body) override;
+  /// Chooses by other settings from now on; what was seen and expected stays. Throws std::invalid_argument if the
+  /// actions of a body would change, which are constant over a run.
+  void change(std::vector<std::unique_ptr<BodyChoice>> choices);
+
   const std::vector<std::string>& actions(std::size_t body) const override {
     return choices_.at(body)->names();
   }
@@ -55,6 +60,10 @@ struct ActiveSettings {
   int max_measurements = 1000;  ///< predicted measurements per point sensor; the most uncertain are kept
   std::uint64_t seed = 1;
 };
+
+/// The choices of all bodies of an estimator, for Decision::change().
+std::vector<std::unique_ptr<BodyChoice>> choices_for(const SlamEstimator& estimator,
+                                                     const ActiveSettings& settings);
 
 /// For all bodies of an estimator, by all their sensors. Throws std::invalid_argument for invalid settings, a body
 /// without a sensor, or a map in the frame of the vehicle.

@@ -18,6 +18,8 @@ class Strategy {
   /// The goal of every body, with the scores of all candidate actions. No action is chosen without a pose (not started,
   /// lost).
   virtual Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick) = 0;
+  /// A person has driven the body: what was chosen for it before no longer counts.
+  virtual void restart(std::size_t) {}
   /// Names of the candidate actions of a body, constant over a run.
   virtual const std::vector<std::string>& actions(std::size_t body) const = 0;
 };

@@ -7,6 +7,12 @@
 
 namespace incognita {
 
+/// A person drives the body: shares of its largest velocity, -1 to 1.
+struct ManualDrive {
+  Eigen::Vector3d direction{0, 0, 0};  ///< forward, left, up, relative to the heading
+  double turn = 0;                     ///< positive to the left
+};
+
 /// Goal of one body.
 struct BodyGoal {
   std::vector<double> scores;     ///< predicted information gain, nats, one per action, at the last decision
@@ -20,6 +26,7 @@ struct BodyGoal {
   double heading_rate_rad_s = 0;           ///< rate of heading_rad, positive to the left
   /// A vehicle driven by velocity instead of a target position: speed, m/s, and turn rate, rad/s, positive to the left.
   std::optional<Eigen::Vector2d> drive = {};
+  std::optional<ManualDrive> manual = {};  ///< taken over by a person, whatever else is set
 };
 
 struct Goal {

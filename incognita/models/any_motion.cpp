@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "incognita/math/angles.hpp"
+
 namespace incognita {
 namespace {
 
@@ -67,6 +69,18 @@ SmallVector at_rest(const AnyMotion& motion, const Eigen::Vector3d& position, do
         return std::decay_t<decltype(model)>::at_rest(position, heading_rad);
       },
       motion);
+}
+
+SmallVector displaced(const AnyMotion& motion, SmallVector state, const Eigen::Vector3d& by_m,
+                      double turn_rad) {
+  const MotionTraits& traits = traits_of(motion);
+  state.head(traits.position_size) += by_m.head(traits.position_size);
+  if (traits.in_space())
+    state.segment<4>(3) =
+        quaternion_product<double>(quaternion_exp<double>({0, 0, turn_rad}), state.segment<4>(3));
+  else if (!traits.on_line())
+    state[2] = wrap_angle(state[2] + turn_rad);
+  return state;
 }
 
 AnyPoint position_of(const AnyMotion& motion, const SmallVector& vehicle) {

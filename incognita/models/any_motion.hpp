@@ -34,6 +34,11 @@ double heading_by(const AnyMotion& motion, const SmallVector& state);
 /// State at rest at a position (m, world) with a heading (rad).
 SmallVector at_rest(const AnyMotion& motion, const Eigen::Vector3d& position, double heading_rad);
 
+/// The state after a displacement (m, world) and a turn about the world's z axis (rad); velocities are kept. Coordinates
+/// that the motion does not have are ignored.
+SmallVector displaced(const AnyMotion& motion, SmallVector state, const Eigen::Vector3d& by_m,
+                      double turn_rad);
+
 /// A position with its Jacobian with respect to the error of the state it is computed from.
 struct AnyPoint {
   SmallVector position;  ///< 1, 2 or 3 numbers, m

@@ -10,6 +10,7 @@
 #include "incognita/record/files/mat_file.hpp"
 #include "incognita/record/files/number.hpp"
 #include "incognita/record/map_files.hpp"
+#include "incognita/record/snapshot/interventions.hpp"
 #include "incognita/record/snapshot/pose_rows.hpp"
 #include "incognita/record/snapshot/series.hpp"
 
@@ -66,6 +67,7 @@ void Recorder::publish(const Snapshot& snapshot) {
   write_pose(snapshot);
   write_series(snapshot);
   write_matches(snapshot);
+  write_interventions(snapshot);
   bodies_->publish(snapshot);
   timings_.add(snapshot);
   log_->publish(snapshot);
@@ -117,6 +119,13 @@ void Recorder::write_matches(const Snapshot& snapshot) {
     matches_.append(match_row(snapshot.tick.t, match), snapshot.tick.t);
 }
 
+void Recorder::write_interventions(const Snapshot& snapshot) {
+  if (snapshot.interventions.empty()) return;
+  if (!interventions_.is_open()) interventions_ = RowFile(directory_.file("interventions.jsonl"), "");
+  for (const Intervention& intervention : snapshot.interventions)
+    interventions_.append(log_row(snapshot.tick.frame, snapshot.tick.t, intervention), snapshot.tick.t);
+}
+
 void Recorder::refresh_summary(double t_s) {
   if (!first_t_s_) first_t_s_ = t_s;
   if (!summary_t_s_) summary_t_s_ = t_s;
@@ -156,7 +165,7 @@ RunOutcome Recorder::finish(RunStatus status, const std::string& reason, const F
       open_series();
     }
   });
-  for (RowFile* file : {&estimate_, &truth_, &covariance_, &series_, &matches_})
+  for (RowFile* file : {&estimate_, &truth_, &covariance_, &series_, &matches_, &interventions_})
     attempt([&] { file->close(); });
   attempt([&] {
     if (bodies_) bodies_->close();

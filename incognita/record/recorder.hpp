@@ -34,6 +34,7 @@ struct RunOutcome {
 ///   rotZ: position in the world (m), rotation as right error in camera axes (rad), q_true = q * exp(rot/2).
 /// - series.csv: see series_columns(). measurements.csv: every measurement with its association.
 /// - vehicles.csv, actions.csv, and for several bodies the files of each: see BodyTables.
+/// - interventions.jsonl: what a person did to the run, if anything: snapshot/interventions.hpp.
 /// - timings.csv: milliseconds per stage.
 /// - run.mcap: the snapshots, for replay and for viewers; see SnapshotLog.
 /// - map.csv, map.ply, series.mat, and surveyed.csv if landmarks are surveyed: at the end. summary.json:
@@ -67,6 +68,7 @@ class Recorder {
   void write_pose(const Snapshot& snapshot);
   void write_series(const Snapshot& snapshot);
   void write_matches(const Snapshot& snapshot);
+  void write_interventions(const Snapshot& snapshot);
   void refresh_summary(double t_s);
   void open_series();
   void write_series_mat() const;
@@ -76,7 +78,7 @@ class Recorder {
   RunSummary summary_;
   RunDirectory directory_;
   std::optional<PaddedFile> summary_file_;
-  RowFile estimate_, truth_, covariance_, series_, matches_;
+  RowFile estimate_, truth_, covariance_, series_, matches_, interventions_;
   TimingTable timings_;
   std::optional<BodyTables> bodies_;
   std::optional<SnapshotLog> log_;

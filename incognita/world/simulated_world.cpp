@@ -1,6 +1,8 @@
 #include "incognita/world/simulated_world.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -67,12 +69,42 @@ BodyTruth SimulatedWorld::truth_of(const Simulated& simulated) {
   return truth;
 }
 
+SimulatedWorld::Simulated& SimulatedWorld::simulated(std::size_t body) {
+  if (body < bodies_.size()) return bodies_[body];
+  throw std::invalid_argument("body " + std::to_string(body + 1) + " does not exist; there are " +
+                              std::to_string(bodies_.size()));
+}
+
+void SimulatedWorld::displace(const DisplaceBody& displacement) {
+  Simulated& which = simulated(displacement.body);
+  const SmallVector before = which.plant.state();
+  SmallVector after = displaced(which.plant.motion(), before, displacement.by_m, displacement.turn_rad);
+  if (which.body.obstacles) which.body.obstacles->stop(before, after);
+  which.plant.put(after);
+}
+
+void SimulatedWorld::push(const PushBody& push) {
+  Simulated& which = simulated(push.body);
+  which.push_m_s = push.velocity_m_s;
+  which.push_left_s = push.duration_s;
+}
+
+void SimulatedWorld::push_on(Simulated& simulated, double dt_s) {
+  const double pushed_s = std::min(dt_s, simulated.push_left_s);
+  if (pushed_s <= 0) return;
+  simulated.push_left_s -= pushed_s;
+  simulated.plant.put(
+      displaced(simulated.plant.motion(), simulated.plant.state(), pushed_s * simulated.push_m_s, 0));
+}
+
 std::optional<Truth> SimulatedWorld::move(const Command& command, const Tick& tick) {
   Truth truth;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Simulated& simulated = bodies_[i];
     const SmallVector before = simulated.plant.state();
-    SmallVector after = simulated.plant.move(commanded(simulated, command_of(command, i)), tick.dt);
+    simulated.plant.move(commanded(simulated, command_of(command, i)), tick.dt);
+    push_on(simulated, tick.dt);
+    SmallVector after = simulated.plant.state();
     if (simulated.body.obstacles && tick.dt > 0) {
       simulated.stopped = simulated.body.obstacles->stop(before, after);
       if (simulated.stopped) simulated.plant.put(after);

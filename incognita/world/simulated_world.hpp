@@ -45,12 +45,20 @@ class SimulatedWorld final : public World {
   /// holds is 0 in the truth, since neither is measured.
   std::optional<Truth> move(const Command& command, const Tick& tick) override;
 
+  /// Obstacles stop a displaced or pushed body. A camera on a mount is disturbed with the vehicle that carries it.
+  void displace(const DisplaceBody& displacement) override;
+  void push(const PushBody& push) override;
+
  private:
   struct Simulated {
     SimulatedBody body;
     Plant plant;
     bool stopped = false;  ///< by an obstacle, in the last tick
+    Eigen::Vector3d push_m_s{0, 0, 0};
+    double push_left_s = 0;  ///< time for which it is still pushed
   };
+  Simulated& simulated(std::size_t body);
+  static void push_on(Simulated& simulated, double dt_s);
   SmallVector commanded(Simulated& simulated, const BodyCommand& command);
   static BodyTruth truth_of(const Simulated& simulated);
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "incognita/messages/command.hpp"
+#include "incognita/messages/intervention.hpp"
 #include "incognita/messages/observation.hpp"
 #include "incognita/messages/tick.hpp"
 #include "incognita/world/truth.hpp"
@@ -26,6 +27,10 @@ class World {
   virtual ~World() = default;
   /// Executes the command, given at the previous tick, for `tick.dt` seconds. Returns the truth, empty if unknown.
   virtual std::optional<Truth> move(const Command& command, const Tick& tick) = 0;
+  /// Disturbs a true body before its next move. Throws std::invalid_argument where that is impossible: in a recording,
+  /// or for a body that does not exist.
+  virtual void displace(const DisplaceBody& displacement);
+  virtual void push(const PushBody& push);
 };
 
 /// The sensors of all bodies.

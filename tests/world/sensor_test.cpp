@@ -3,7 +3,7 @@
 #include "incognita/models/motion/heading.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/world/fixed_rate_clock.hpp"
-#include "incognita/world/rendered/image_noise.hpp"
+#include "incognita/world/image_noise.hpp"
 #include "incognita/world/rendered/render.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "incognita/app/loop/assembly.hpp"
 #include "incognita/app/loop/association_score.hpp"
+#include "incognita/app/loop/interventions.hpp"
 #include "incognita/app/loop/observability_watch.hpp"
 #include "incognita/record/recorder.hpp"
 
@@ -27,8 +29,9 @@ struct RunProgress {
   std::int64_t frames = 0, doubted = 0;
   std::string doubt;
 
-  void add(const Snapshot& snapshot) {
+  void add(const Snapshot& snapshot, std::vector<Intervention> interventions) {
     last = snapshot;
+    last.interventions = std::move(interventions);
     ever_tracked |=
         snapshot.status.state != TrackingState::starting && snapshot.status.state != TrackingState::lost;
     ever_measured |= !snapshot.matches.empty();
@@ -68,13 +71,16 @@ std::vector<std::string> warnings_of(const RunProgress& progress, const Scenario
 RunConclusion drive(LoopParts& parts, RunSink& sink, ObservabilityWatch* watch, AssociationScore* score,
                     const RunCallbacks& callbacks, const Scenario& scenario) {
   RunProgress progress;
+  std::optional<Interventions> interventions;
+  if (callbacks.interventions) interventions.emplace(parts, scenario, *callbacks.interventions);
   const auto publish = [&](const Snapshot& snapshot) {
-    progress.add(snapshot);
+    progress.add(snapshot, interventions ? interventions->taken() : std::vector<Intervention>{});
     if (score) score->add(snapshot);
-    sink.publish(snapshot);
+    sink.publish(progress.last);
   };
   const auto keep_going = [&](const Tick& tick) {
     progress.stopped = callbacks.keep_going && !callbacks.keep_going(tick);
+    if (interventions && !progress.stopped) interventions->apply_due(tick);
     return !progress.stopped;
   };
   std::function<void(const Estimate&)> watching;

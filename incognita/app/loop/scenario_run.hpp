@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "incognita/io/scenario/load_scenario.hpp"
+#include "incognita/messages/intervention.hpp"
 #include "incognita/record/recorder.hpp"
 #include "incognita/record/snapshot/snapshot.hpp"
 
@@ -29,9 +30,23 @@ class RunSink {
 /// `frames`: expected number; 0: unknown. An exception stops the run before its first frame.
 using SinkFactory = std::function<std::unique_ptr<RunSink>(const RunInfo& info, std::int64_t frames)>;
 
+/// Where the interventions of a run come from: a person at the page, or the log of an earlier run.
+class InterventionSource {
+ public:
+  virtual ~InterventionSource() = default;
+  /// Those that take effect before the motion of this tick.
+  virtual std::vector<Intervention> due(const Tick& tick) = 0;
+  /// An intervention that this run cannot take, with the reason; it has no effect and is not logged. An exception ends
+  /// the run.
+  virtual void refused(const Intervention& intervention, const std::string& why) = 0;
+  /// The scenario of the run with further settings, "key=value". Throws InputError.
+  virtual LoadedScenario reloaded(const std::vector<std::string>& settings) = 0;
+};
+
 struct RunCallbacks {
   std::function<void(const std::string& line)> report;    ///< receives the assumptions, for printing
   std::function<bool(const Tick& tick)> keep_going = {};  ///< false: the run is interrupted
+  InterventionSource* interventions = nullptr;
 };
 
 /// Throws InputError, naming file and key or value, if the scenario cannot start.

@@ -131,8 +131,10 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
     s.nis_dof = e.last.update.rows;
   }
   s.entropy = {e.entropy.vehicle, e.entropy.map, e.entropy.total};
-  for (std::size_t i = 0; i < std::min(goal.bodies.size(), s.bodies.size()); ++i)
+  for (std::size_t i = 0; i < std::min(goal.bodies.size(), s.bodies.size()); ++i) {
+    s.bodies[i].manual = goal.bodies[i].manual.has_value();
     s.bodies[i].decision = decision_of(goal.bodies[i], strategy.actions(i));
+  }
   s.coverage = goal.coverage;
   s.entropy_extended = goal.entropy_extended;
   s.timing_ms = timing_of(e.timing_ms, loop_ms);

@@ -113,6 +113,7 @@ Json body() {
                  {"reference", array(number(), "x, y, z (m) and heading (rad)"), sometimes},
                  {"input", array(number(), "commanded, as its motion model takes it"), sometimes},
                  {"operator_controlled", flag("an operator moves it")},
+                 {"manual", flag("a person drives it"), sometimes},
                  {"decision", decision()}});
 }
 
@@ -122,6 +123,24 @@ Json landmark() {
                  {"detections", integer("matches so far")},
                  {"position", xyz("m, world"), sometimes},
                  {"covariance", array(number(), "m^2, 3x3, row-major"), sometimes}});
+}
+
+Json intervention() {
+  return object({{"type", one_of({"cover-lens", "image-noise", "light", "displace", "push", "take-over",
+                                  "give-back", "drive", "set"})},
+                 {"body", integer("index of the body, from 1"), sometimes},
+                 {"covered", flag(), sometimes},
+                 {"sigma_gray", number("added image noise; 0: none"), sometimes},
+                 {"factor", number("of all gray values"), sometimes},
+                 {"by_m", array(number(), "x y z, world"), sometimes},
+                 {"turn_rad", number("about the world's z axis"), sometimes},
+                 {"velocity_m_s", array(number(), "x y z, world"), sometimes},
+                 {"duration_s", number(), sometimes},
+                 {"forward", number("share of the largest velocity, -1 to 1"), sometimes},
+                 {"left", number(), sometimes},
+                 {"up", number(), sometimes},
+                 {"turn", number("positive to the left"), sometimes},
+                 {"settings", array(text(), "of the decision, key=value"), sometimes}});
 }
 
 Json entropy() {
@@ -185,22 +204,24 @@ std::string image_annotations() {
 std::string snapshot() {
   return document(
       "incognita.Snapshot",
-      object({{"frame", integer("counts from 0")},
-              {"t", number("s")},
-              {"dt", number("s, since the previous frame")},
-              {"state", states()},
-              {"reason", text("reason for the state")},
-              {"bodies", array(body())},
-              {"matched", integer("measurements that updated the filter")},
-              {"predicted", integer("measurements predicted")},
-              {"nis_dof", integer("degrees of freedom; 0 without an update")},
-              {"nis", number("normalized innovation squared, sum over the measurements"), sometimes},
-              {"entropy", entropy()},
-              {"coverage", number("viewed share of the exploration volume"), sometimes},
-              {"entropy_extended", number("nats, with expected landmarks"), sometimes},
-              {"matches", array(match())},
-              {"landmark_ids", array(integer())},
-              {"landmarks", array(landmark(), "about once a second"), sometimes}}));
+      object(
+          {{"frame", integer("counts from 0")},
+           {"t", number("s")},
+           {"dt", number("s, since the previous frame")},
+           {"state", states()},
+           {"reason", text("reason for the state")},
+           {"bodies", array(body())},
+           {"matched", integer("measurements that updated the filter")},
+           {"predicted", integer("measurements predicted")},
+           {"nis_dof", integer("degrees of freedom; 0 without an update")},
+           {"nis", number("normalized innovation squared, sum over the measurements"), sometimes},
+           {"entropy", entropy()},
+           {"coverage", number("viewed share of the exploration volume"), sometimes},
+           {"entropy_extended", number("nats, with expected landmarks"), sometimes},
+           {"interventions", array(intervention(), "of a person, before the motion of this tick"), sometimes},
+           {"matches", array(match())},
+           {"landmark_ids", array(integer())},
+           {"landmarks", array(landmark(), "about once a second"), sometimes}}));
 }
 
 }  // namespace incognita::message_schemas

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "incognita/record/snapshot/interventions.hpp"
 #include "incognita/record/snapshot/series.hpp"
 
 namespace incognita {
@@ -83,6 +84,7 @@ Json body_json(const SnapshotBody& body) {
   if (body.reference) put(json, "reference", Eigen::MatrixXd(*body.reference));
   if (body.input.size() > 0) put(json, "input", Eigen::MatrixXd(body.input));
   json["operator_controlled"] = body.operator_controlled;
+  if (body.manual) json["manual"] = true;
   json["decision"] = decision_json(body.decision);
   return json;
 }
@@ -121,6 +123,11 @@ std::string snapshot_message(const Snapshot& snapshot, bool landmarks) {
   json["entropy"] = entropy_json(snapshot.entropy);
   if (snapshot.coverage) put(json, "coverage", *snapshot.coverage);
   if (snapshot.entropy_extended) put(json, "entropy_extended", *snapshot.entropy_extended);
+  if (!snapshot.interventions.empty()) {
+    Json& interventions = json["interventions"] = Json::array();
+    for (const Intervention& intervention : snapshot.interventions)
+      interventions.push_back(Json::parse(intervention_json(intervention)));
+  }
   Json& matches = json["matches"] = Json::array();
   for (const SnapshotMatch& match : snapshot.matches) matches.push_back(match_json(match));
   Json& ids = json["landmark_ids"] = Json::array();

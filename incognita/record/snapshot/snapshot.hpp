@@ -10,6 +10,7 @@
 
 #include "incognita/analysis/evaluation/pose_consistency.hpp"
 #include "incognita/math/small_matrix.hpp"
+#include "incognita/messages/intervention.hpp"
 #include "incognita/messages/tick.hpp"
 #include "incognita/slam/mapper/status.hpp"
 #include "incognita/vision/image.hpp"
@@ -71,6 +72,7 @@ struct SnapshotBody {
   std::optional<Eigen::Vector4d> reference;  ///< x, y, z (m, world), heading (rad)
   SmallVector input;                         ///< commanded until the next tick, as its motion model takes it
   bool operator_controlled = false;          ///< an operator moves it, as the display shows
+  bool manual = false;                       ///< a person drives it
   SnapshotDecision decision;
 };
 
@@ -93,6 +95,7 @@ struct Snapshot {
   std::optional<double> coverage;  ///< viewed share of the exploration volume
   /// Entropy in nats of vehicle, map and expected unmapped landmarks (Figure 6.3), from the last decision.
   std::optional<double> entropy_extended;
+  std::vector<Intervention> interventions;                ///< that took effect before the motion of this tick
   std::vector<std::pair<const char*, double>> timing_ms;  ///< stage -> ms, same order in every snapshot
 };
 

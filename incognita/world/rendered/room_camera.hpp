@@ -6,7 +6,7 @@
 #include <string>
 
 #include "incognita/models/sensors/camera.hpp"
-#include "incognita/world/rendered/image_noise.hpp"
+#include "incognita/world/image_noise.hpp"
 #include "incognita/world/rendered/ray_table.hpp"
 #include "incognita/world/rendered/room.hpp"
 #include "incognita/world/sensor_set.hpp"

@@ -1,4 +1,4 @@
-#include "incognita/world/rendered/image_noise.hpp"
+#include "incognita/world/image_noise.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,57 @@
+#include "incognita/world/disturbed_images.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace incognita {
+namespace {
+
+constexpr std::uint8_t covered_gray = 8;  // a lens cap transmits a little light
+
+void scale(Image& image, double factor) {
+  for (int v = 0; v < image.height(); ++v) {
+    std::uint8_t* pixel = image.row(v);
+    for (int u = 0; u < image.width(); ++u)
+      pixel[u] = static_cast<std::uint8_t>(std::min(255L, std::lround(factor * pixel[u])));
+  }
+}
+
+}  // namespace
+
+DisturbedImages::DisturbedImages(std::unique_ptr<Sensor> sensors, std::uint64_t seed)
+    : sensors_(std::move(sensors)), seed_(seed) {}
+
+void DisturbedImages::add_noise(const AddImageNoise& noise) {
+  if (!(noise.sigma_gray >= 0 && noise.sigma_gray <= 100))
+    throw std::invalid_argument("image noise: sigma_gray must be 0 to 100, got " +
+                                std::to_string(noise.sigma_gray));
+  noise_.reset();
+  if (noise.sigma_gray > 0) noise_.emplace(noise.sigma_gray, seed_, "disturbance.image");
+}
+
+void DisturbedImages::change_light(const ChangeLight& light) {
+  if (!(light.factor >= 0 && light.factor <= 10))
+    throw std::invalid_argument("light: factor must be 0 to 10, got " + std::to_string(light.factor));
+  light_ = light.factor;
+}
+
+std::shared_ptr<const Image> DisturbedImages::disturbed(const Image& image) {
+  auto out = std::make_shared<Image>(covered_ ? Image(image.width(), image.height(), covered_gray) : image);
+  if (light_ != 1 && !covered_) scale(*out, light_);
+  if (noise_) noise_->add_to(*out);
+  return out;
+}
+
+Observation DisturbedImages::measure(const std::optional<Truth>& truth, const Tick& tick) {
+  Observation observation = sensors_->measure(truth, tick);
+  if (!covered_ && light_ == 1 && !noise_) return observation;
+  for (BodyObservation& body : observation.bodies)
+    for (auto& image : body.images)
+      if (image && !image->empty()) image = disturbed(*image);
+  return observation;
+}
+
+}  // namespace incognita

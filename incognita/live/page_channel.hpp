@@ -1,0 +1,79 @@
+// What the viewers of the page receive and send over their WebSocket: docs/live-page.md.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "incognita/live/mailbox.hpp"
+#include "incognita/live/server.hpp"
+#include "incognita/live/viewer_commands.hpp"
+#include "incognita/record/snapshot/snapshot.hpp"
+
+namespace incognita {
+
+/// State of the loop as viewers see it.
+struct LiveState {
+  bool running = false, paused = false;
+  double speed = 1;
+  std::string ended_status, ended_reason;  ///< after the end of a run
+};
+
+class PageChannel final : public ViewerProtocol {
+ public:
+  static constexpr const char* subprotocol = "incognita.v1";
+
+  /// `command`: called in the server's thread for each message of a viewer; its InputError refuses the message.
+  explicit PageChannel(std::function<void(const ViewerCommand&)> command);
+
+  /// To be called once, before the first message.
+  void attach(Server& server) { server_ = &server; }
+
+  // From the thread of the loop:
+
+  /// A run begins; viewers fetch what is known of it. `index`: number of the run.
+  void begin(int index, const std::string& name, bool with_errors);
+  /// Never waits for a viewer.
+  void publish(std::shared_ptr<const Snapshot> snapshot);
+  void set_state(const LiveState& state);
+  /// What the observability monitor says, as JSON fields without braces.
+  void put_observability(std::string json);
+  /// To all viewers.
+  void refuse(const std::string& of, const std::string& why);
+  bool has_viewers() const { return viewer_count_ > 0; }
+
+  void joined(std::uint64_t id, Viewer& viewer) override;
+  void left(std::uint64_t id) override;
+  void received(std::uint64_t id, std::string_view message, bool binary) override;
+
+ private:
+  struct Published {
+    std::uint64_t seq;
+    std::shared_ptr<const Snapshot> snapshot;
+  };
+  void deliver();
+  void send_to_all(const LiveMessage& message);
+  void send_state();
+  static bool has_image(const Published& published);
+  LiveMessage message_of(const Published& published) const;
+
+  std::function<void(const ViewerCommand&)> command_;
+  Server* server_ = nullptr;
+  std::atomic<int> viewer_count_{0};
+  Mailbox<Published> mailbox_{16};
+  std::uint64_t next_seq_ = 0;  ///< of the thread of the loop
+
+  // Of the server's thread:
+  std::map<std::uint64_t, Viewer*> viewers_;
+  std::optional<LiveMessage> run_, observability_;
+  std::optional<Published> last_published_;
+  LiveState state_;
+  bool with_errors_ = false;
+};
+
+}  // namespace incognita

@@ -1,0 +1,92 @@
+// The server of the page: HTTP requests and WebSocket viewers on one port, in a thread of its own. Nothing that a
+// viewer does or fails to do slows the thread that publishes.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "incognita/live/access.hpp"
+#include "incognita/live/outbox.hpp"
+
+namespace incognita {
+
+struct ServerSettings {
+  std::string address = "127.0.0.1";  ///< numerical; "0.0.0.0" for all
+  std::uint16_t port = 0;             ///< 0: any free one
+  AccessRules access;
+  std::size_t max_connections = 64;  ///< HTTP and WebSocket together
+  std::size_t max_message_bytes = 64u << 10;
+  int idle_s = 30;  ///< after which a silent connection is closed; WebSocket viewers are pinged before
+  Outbox::Limits outbox;
+};
+
+struct HttpRequest {
+  std::string path;                                        ///< "/api/mode", decoded
+  std::vector<std::pair<std::string, std::string>> query;  ///< decoded, in their order
+
+  /// The first value of a parameter; empty without one.
+  std::string_view parameter(std::string_view name) const;
+};
+
+struct HttpAnswer {
+  int status = 200;
+  std::string content_type = "application/json";
+  std::shared_ptr<const std::string> body;
+  bool is_public = false;  ///< sent to anyone: holds no data of a run
+};
+
+/// One WebSocket viewer. All calls are made in the server's thread.
+class Viewer {
+ public:
+  virtual ~Viewer() = default;
+  virtual void send(LiveMessage message) = 0;
+  /// Messages dropped so far.
+  virtual void add_dropped(std::uint64_t count) = 0;
+};
+
+/// What viewers of one WebSocket subprotocol talk with. All calls are made in the server's thread.
+class ViewerProtocol {
+ public:
+  virtual ~ViewerProtocol() = default;
+  /// `id` is unique; `viewer` is valid until left().
+  virtual void joined(std::uint64_t id, Viewer& viewer) = 0;
+  virtual void left(std::uint64_t id) = 0;
+  /// A message of a viewer, of at most max_message_bytes.
+  virtual void received(std::uint64_t id, std::string_view message, bool binary) = 0;
+};
+
+struct ServerHandlers {
+  /// Answers GET requests; called in the server's thread.
+  std::function<HttpAnswer(const HttpRequest&)> answer;
+  /// By subprotocol, in the order of preference.
+  std::vector<std::pair<std::string, std::shared_ptr<ViewerProtocol>>> protocols;
+  /// Refusals and failures, at most a few per second; called in the server's thread.
+  std::function<void(const std::string&)> log;
+};
+
+class Server {
+ public:
+  /// Listens and starts the thread. Throws InputError if the address cannot be used.
+  Server(ServerSettings settings, ServerHandlers handlers);
+  /// Disconnects all viewers and ends the thread.
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  std::uint16_t port() const;
+  /// "http://127.0.0.1:8321/?token=..."
+  std::string address() const;
+  /// Runs a task in the server's thread.
+  void post(std::function<void()> task);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace incognita

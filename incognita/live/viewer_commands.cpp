@@ -1,0 +1,68 @@
+#include "incognita/live/viewer_commands.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "incognita/messages/errors.hpp"
+#include "incognita/record/snapshot/interventions.hpp"
+
+namespace incognita {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double most_speed = 100;
+constexpr std::size_t most_settings = 500;
+
+std::string text_of(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end() || !found->is_string())
+    throw InputError(std::string("message: field \"") + key + "\" must be a text");
+  return found->get<std::string>();
+}
+
+SetSpeed speed_of(const Json& json) {
+  const auto found = json.find("factor");
+  if (found == json.end() || !found->is_number() || !(*found >= 0) || !(*found <= most_speed))
+    throw InputError("speed: factor must be a number from 0 (as fast as possible) to 100");
+  return {found->get<double>()};
+}
+
+StartRun start_of(const Json& json) {
+  StartRun start{text_of(json, "scenario"), {}};
+  const auto set = json.find("set");
+  if (set == json.end()) return start;
+  const auto is_text = [](const Json& entry) { return entry.is_string(); };
+  if (!set->is_array() || set->size() > most_settings || !std::all_of(set->begin(), set->end(), is_text))
+    throw InputError("start: set must be a list of at most 500 texts, \"key=value\"");
+  start.settings = set->get<std::vector<std::string>>();
+  return start;
+}
+
+}  // namespace
+
+ViewerCommand viewer_command(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) throw InputError("message: must be a JSON object");
+  const std::string type = text_of(json, "type");
+  if (type == "pause") return PauseRun{};
+  if (type == "resume") return ResumeRun{};
+  if (type == "step") return StepRun{};
+  if (type == "speed") return speed_of(json);
+  if (type == "stop") return StopRun{};
+  if (type == "start") return start_of(json);
+  if (type != "intervene")
+    throw InputError("message: type = \"" + type.substr(0, 80) +
+                     "\": must be pause, resume, step, speed, stop, start or intervene");
+  const auto found = json.find("intervention");
+  if (found == json.end()) throw InputError("intervene: field \"intervention\" is missing");
+  return intervention_from_json(found->dump(-1, ' ', true, Json::error_handler_t::replace));
+}
+
+std::string type_of_message(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("type") || !json["type"].is_string()) return "";
+  return json["type"].get<std::string>().substr(0, 40);
+}
+
+}  // namespace incognita

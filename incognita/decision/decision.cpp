@@ -93,6 +93,7 @@ void Decision::explore(const Estimate& estimate, const Tick& tick) {
         estimate.mapped_count());
   }
   goal_.coverage = exploration_.coverage();
+  goal_.exploration = exploration_.volume();
 }
 
 Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& now) {

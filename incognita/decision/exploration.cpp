@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "incognita/math/gaussian.hpp"
 
@@ -30,6 +31,7 @@ Exploration::Exploration(const ExplorationSettings& settings, std::uint64_t seed
   cells_ = ((settings_.max_m - settings_.min_m) / settings_.cell_m).array().ceil().max(1).cast<int>();
   unseen_cells_ = cells_.prod();
   seen_s_.assign(static_cast<std::size_t>(unseen_cells_), 0);
+  renew_volume();
   for (int i = 0; i < settings_.expected_landmarks; ++i) {
     expected_.push_back(ExpectedLandmark{i});
     move_elsewhere(expected_.back());
@@ -66,8 +68,17 @@ void Exploration::move_elsewhere(ExpectedLandmark& landmark) {
   }
 }
 
-void Exploration::update(const std::function<bool(const Eigen::Vector3d&)>& in_view, double dt, int mapped) {
-  if (settings_.expected_landmarks == 0) return;
+void Exploration::renew_volume() {
+  auto volume = std::make_shared<ExplorationVolume>(
+      ExplorationVolume{settings_.min_m, settings_.max_m, settings_.cell_m, cells_, {}});
+  volume->seen.assign((seen_s_.size() + 7) / 8, 0);
+  for (std::size_t cell = 0; cell < seen_s_.size(); ++cell)
+    if (seen(static_cast<int>(cell))) volume->seen[cell / 8] |= static_cast<std::uint8_t>(1u << cell % 8);
+  volume_ = std::move(volume);
+}
+
+void Exploration::mark_seen(const std::function<bool(const Eigen::Vector3d&)>& in_view, double dt) {
+  const int unseen_before = unseen_cells_;
   for (int cell = 0; cell < static_cast<int>(seen_s_.size()); ++cell) {
     double& s = seen_s_[static_cast<std::size_t>(cell)];
     if (s >= settings_.seen_s || !in_view(center_of(cell))) continue;
@@ -75,6 +86,12 @@ void Exploration::update(const std::function<bool(const Eigen::Vector3d&)>& in_v
     // Rounding of the sum of dt must not decide whether a cell needs one more frame
     if (s > settings_.seen_s * (1 - 1e-9)) s = settings_.seen_s, --unseen_cells_;
   }
+  if (unseen_cells_ != unseen_before) renew_volume();
+}
+
+void Exploration::update(const std::function<bool(const Eigen::Vector3d&)>& in_view, double dt, int mapped) {
+  if (settings_.expected_landmarks == 0) return;
+  mark_seen(in_view, dt);
   const auto left = static_cast<std::size_t>(std::max(0, settings_.expected_landmarks - mapped));
   if (unseen_cells_ == 0) return expected_.clear();
   // Landmarks in cells that were seen count as mapped first

@@ -9,10 +9,12 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "incognita/decision/settings.hpp"
 #include "incognita/math/random.hpp"
+#include "incognita/messages/exploration_volume.hpp"
 
 namespace incognita {
 
@@ -34,6 +36,8 @@ class Exploration {
   const std::vector<ExpectedLandmark>& expected() const { return expected_; }
   /// Fraction of the volume seen, 0 to 1.
   double coverage() const;
+  /// The cells seen so far; the same object until another cell becomes seen.
+  const std::shared_ptr<const ExplorationVolume>& volume() const { return volume_; }
   const ExplorationSettings& settings() const { return settings_; }
 
  private:
@@ -41,6 +45,8 @@ class Exploration {
   int cell_of(const Eigen::Vector3d& position) const;
   bool seen(int cell) const { return seen_s_[static_cast<std::size_t>(cell)] >= settings_.seen_s; }
   void move_elsewhere(ExpectedLandmark& landmark);
+  void mark_seen(const std::function<bool(const Eigen::Vector3d&)>& in_view, double dt);
+  void renew_volume();
 
   ExplorationSettings settings_;
   Eigen::Vector3i cells_;
@@ -49,6 +55,7 @@ class Exploration {
   std::vector<ExpectedLandmark> mapped_;  ///< those counted as mapped so far, in that order
   RandomStream random_;
   int unseen_cells_ = 0;
+  std::shared_ptr<const ExplorationVolume> volume_;
 };
 
 /// Entropy of unmapped landmarks, nats. It completes a map of fixed dimension (Figure 6.3), so that runs with

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
+
+#include "incognita/messages/exploration_volume.hpp"
 
 namespace incognita {
 
@@ -33,8 +36,9 @@ struct Goal {
   std::vector<BodyGoal> bodies;  ///< one per body, in their order; empty where nothing is decided
 
   /// Exploration prior, where the scenario has one (Figure 6.3).
-  std::optional<double> coverage = {};          ///< viewed share of the exploration volume
-  std::optional<double> entropy_extended = {};  ///< nats, of bodies, map and expected landmarks
+  std::optional<double> coverage = {};                        ///< viewed share of the exploration volume
+  std::optional<double> entropy_extended = {};                ///< nats, of bodies, map and expected landmarks
+  std::shared_ptr<const ExplorationVolume> exploration = {};  ///< replaced when a cell becomes seen
 };
 
 }  // namespace incognita

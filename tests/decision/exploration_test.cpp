@@ -54,6 +54,24 @@ TEST(Exploration, SeenCellsExpectNoLandmarksAndOthersKeepThem) {
   EXPECT_TRUE(e.expected().empty()) << "no unseen cells remain";
 }
 
+TEST(Exploration, VolumeHasOneBitPerSeenCell) {
+  ExplorationSettings settings = room(20);
+  settings.min_m = {0, 0, 0};
+  settings.max_m = {2, 1.5, 1};
+  settings.cell_m = 0.6;  // shrunk to 4 x 3 x 2 cells of 0.5 m
+  Exploration e(settings, 1);
+  const auto first = e.volume();
+  EXPECT_EQ(first->cells, Eigen::Vector3i(4, 3, 2));
+  EXPECT_EQ(first->seen, std::vector<std::uint8_t>(3, 0));
+  const auto upper_corner = [](const Eigen::Vector3d& p) { return p.x() > 1.5 && p.y() > 1 && p.z() < 0.5; };
+  e.update(upper_corner, 0.6, 0);
+  EXPECT_EQ(e.volume(), first) << "the same object until a cell becomes seen";
+  e.update(upper_corner, 0.6, 0);
+  EXPECT_EQ(e.volume()->seen, (std::vector<std::uint8_t>{0, 8, 0})) << "cell 11 of 24";
+  EXPECT_EQ(first->seen, std::vector<std::uint8_t>(3, 0)) << "immutable";
+  EXPECT_NEAR(e.coverage(), 1.0 / 24, 1e-12);
+}
+
 TEST(Exploration, MappedLandmarksReduceTheExpectedNumber) {
   Exploration e(room(10), 1);
   e.update(nothing, 0.1, 4);

@@ -11,6 +11,7 @@
 #include "file_size_limit.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/files/image_text.hpp"
+#include "incognita/record/mcap/snapshot_message.hpp"
 #include "incognita/record/snapshot/series.hpp"
 #include "mcap_reader.hpp"
 #include "schema.hpp"
@@ -78,9 +79,12 @@ TEST(SnapshotLog, HasTopicsAndSchemasOfViewers) {
                                                     {"/map", "foxglove.SceneUpdate"},
                                                     {"/camera/image", "foxglove.CompressedImage"},
                                                     {"/camera/annotations", "foxglove.ImageAnnotations"},
-                                                    {"/snapshot", "incognita.Snapshot"}};
+                                                    {"/snapshot", "incognita.Snapshot"},
+                                                    {"/run", "incognita.Run"}};
   EXPECT_EQ(read.schema_of_topic, expected);
   EXPECT_EQ(read.library, "incognita 0.1.0");
+  EXPECT_EQ(read.count("/run"), 1u);
+  EXPECT_EQ(read.messages.front().topic, "/run");
   EXPECT_EQ(read.count("/snapshot"), 120u);
   EXPECT_EQ(read.count("/truth/pose"), 120u);
   EXPECT_EQ(read.count("/estimate/pose"), 117u);  // none while starting
@@ -122,7 +126,7 @@ void expect_simple(const Json& schema, const std::string& at) {
 TEST(SnapshotLog, SchemasAreSimpleEnoughForViewers) {
   const Scratch scratch;
   const McapContents read = log(scratch / "run.mcap");
-  EXPECT_EQ(read.schemas.size(), 6u);
+  EXPECT_EQ(read.schemas.size(), 7u);
   for (const auto& [name, text] : read.schemas) expect_simple(Json::parse(text), name);
 }
 
@@ -158,13 +162,82 @@ TEST(SnapshotLog, HasTheSnapshotsValues) {
   EXPECT_EQ(json["matches"][5]["outcome"], "not-found");
   EXPECT_FALSE(json["matches"][5].contains("measured"));
   EXPECT_EQ(json["matches"][7]["kind"], "ray");
+  EXPECT_EQ(body["truth"]["position"]["y"], snapshot.bodies[0].truth->position.y());
+  EXPECT_EQ(body["truth"]["orientation"]["w"], snapshot.bodies[0].truth->orientation[0]);
   EXPECT_EQ(json["landmark_ids"].size(), snapshot.landmarks.size());
   EXPECT_FALSE(json.contains("landmarks"));
+  EXPECT_FALSE(json.contains("exploration"));
   const Json with_map = parsed(*read.of("/snapshot")[60]);
   ASSERT_EQ(with_map["landmarks"].size(), 8u);
+  // Cells 0 to 60 of 4 x 3 x 7
+  EXPECT_EQ(with_map["exploration"],
+            Json::parse(R"({"min":[-2.0,-1.5,0.0],"max":[2.0,1.5,3.5],"cell_m":1.0,"cells":[4,3,7],
+                            "seen":"/////////x8AAAA="})"));
   EXPECT_EQ(with_map["landmarks"][0]["kind"], "anchor");
   EXPECT_EQ(with_map["landmarks"][5]["covariance"][4],
             testing::synthetic_snapshot({}, 60).landmarks[5].covariance(1, 1));
+}
+
+/// Schemas of viewers have no lists of lists, so the file has one list; a page gets one list per hypothesis.
+TEST(SnapshotLog, HasTheDepthHypothesesOfRays) {
+  const Scratch scratch;
+  const McapContents read = log(scratch / "run.mcap");
+  const Json matches = parsed(*read.of("/snapshot")[50])["matches"];
+  EXPECT_FALSE(matches[6].contains("particles"));
+  EXPECT_EQ(matches[7]["particles"], Json::parse("[285.1,118.0,0.6,289.2,119.0,0.399]"));
+  const Json grouped = Json::parse(snapshot_message(with_image({}, 50), false));
+  EXPECT_EQ(grouped["matches"][7]["particles"], Json::parse("[[285.1,118.0,0.6],[289.2,119.0,0.399]]"));
+}
+
+TEST(SnapshotLog, TruthWithoutOrientationHasNone) {
+  Snapshot snapshot = with_image({}, 50);
+  snapshot.bodies[0].truth->oriented = false;
+  const Json body = Json::parse(snapshot_message(snapshot, false))["bodies"][0];
+  EXPECT_TRUE(body["truth"].contains("position"));
+  EXPECT_FALSE(body["truth"].contains("orientation"));
+}
+
+RunInfo described() {
+  RunInfo about = info();
+  about.name = "house";
+  about.seed = 7;
+  about.rate_hz = 30;
+  about.camera = {320, 240, 195, 196, 159.5, 119.5};
+  about.room = {{{-3, -3, 0}, {3, 3, 2.5}}, {{{1, 1, 0}, {2, 2, 0.75}}}};
+  about.terrain = {{-3, -3}, 2, 4, 2, {0, 0.12345, 0, 0, 0, 0, -0.25, 0}};
+  return about;
+}
+
+TEST(SnapshotLog, DescribesTheRunOnce) {
+  const Scratch scratch;
+  const McapContents read = log(scratch / "run.mcap", {}, described());
+  const Json run = parsed(*read.of("/run")[0]);
+  EXPECT_EQ(testing::problems(run, Json::parse(read.schemas.at("incognita.Run"))), "");
+  EXPECT_EQ(run["name"], "house");
+  EXPECT_EQ(run["seed"], 7);
+  EXPECT_EQ(run["rate_hz"], 30);
+  EXPECT_EQ(run["camera"],
+            Json::parse(R"({"width":320,"height":240,"fx":195,"fy":196,"cx":159.5,"cy":119.5})"));
+  EXPECT_EQ(run["room"]["max"], Json::parse("[3,3,2.5]"));
+  EXPECT_EQ(run["room"]["boxes"], Json::parse(R"([{"min":[1,1,0],"max":[2,2,0.75]}])"));
+  EXPECT_EQ(run["terrain"], Json::parse(R"({"origin":[-3,-3],"step_m":2,"columns":4,"rows":2,
+                                            "heights":[0,0.123,0,0,0,0,-0.25,0]})"));
+  EXPECT_EQ(run["same_frame_as_truth"], true);
+  const Json of_little = parsed(*log(scratch / "little.mcap").of("/run")[0]);
+  for (const char* unknown : {"rate_hz", "camera", "room", "terrain"})
+    EXPECT_FALSE(of_little.contains(unknown));
+}
+
+/// The time line of a recording that counts from 1970 must not begin there.
+TEST(SnapshotLog, DescriptionOfTheRunIsAtTheFirstFrame) {
+  const Scratch scratch;
+  SnapshotLog log(scratch / "run.mcap", info());
+  Snapshot snapshot = with_image({}, 0);
+  snapshot.tick.t = 1.3e9;
+  log.publish(snapshot);
+  log.close({});
+  const McapContents read = testing::read_mcap(contents(scratch / "run.mcap"));
+  EXPECT_EQ(read.of("/run")[0]->log_time_ns, 1'300'000'000'000'000'000u);
 }
 
 TEST(SnapshotLog, HasPosesAndFramesOfTheTick) {
@@ -276,6 +349,9 @@ TEST(SnapshotLog, AcceptsNonFiniteValues) {
   snapshot.matches[1].predicted.setConstant(1e300);
   snapshot.matches[2].innovation_cov.setZero();
   snapshot.matches[3].measured->setConstant(unknown);
+  snapshot.matches[7].particles[0].pixel.setConstant(unknown);
+  snapshot.matches[7].particles[1].weight = unknown;
+  snapshot.bodies[0].truth->position.setConstant(unknown);
   snapshot.landmarks[3].covariance.setConstant(unknown);
   snapshot.bodies.at(0).decision.scores[1] = -std::numeric_limits<double>::infinity();
   snapshot.status.reason = "\xff\"\n";

@@ -66,6 +66,10 @@ inline void add_measurements(Snapshot& snapshot, RandomStream& random) {
     if (match.outcome == MatchOutcome::matched || match.outcome == MatchOutcome::outlier)
       match.measured = match.predicted + Eigen::Vector2d(random.normal(), random.normal());
     match.correlation = 0.9;
+    if (match.ray)
+      match.particles = {{match.predicted + Eigen::Vector2d(0.06, -2), 0.6},
+                         {match.predicted + Eigen::Vector2d(4.2, -1), 0.3994},
+                         {match.predicted + Eigen::Vector2d(9, 1), 0.0006}};
     snapshot.matches.push_back(match);
   }
   snapshot.predicted = 7;
@@ -94,6 +98,14 @@ inline void add_pose(Snapshot& snapshot, const SyntheticRun& run, RandomStream& 
   body.input << 0.1, 0.2, -0.1, 0, 0, 0;
 }
 
+/// The first cells are seen, one more in each frame.
+inline void add_exploration(Snapshot& snapshot) {
+  ExplorationVolume volume{{-2, -1.5, 0}, {2, 1.5, 3.5}, 1, {4, 3, 7}, std::vector<std::uint8_t>(11)};
+  for (std::size_t cell = 0; cell < 84 && cell <= static_cast<std::size_t>(snapshot.tick.frame); ++cell)
+    volume.seen[cell / 8] |= static_cast<std::uint8_t>(1u << cell % 8);
+  snapshot.exploration = std::make_shared<const ExplorationVolume>(volume);
+}
+
 inline void add_decision(SnapshotBody& body, int frame) {
   body.decision.actions = {"stay", "forward", "back", "left", "right", "up", "down"};
   for (int i = 0; i < 7; ++i) body.decision.scores.push_back(1 + std::sin(0.3 * frame / 30 + i));
@@ -110,6 +122,7 @@ inline Snapshot synthetic_snapshot(const SyntheticRun& run, int frame, double pa
   add_pose(snapshot, run, random);
   add_map(snapshot, frame / 10);
   add_measurements(snapshot, random);
+  add_exploration(snapshot);
   add_decision(snapshot.bodies.at(0), frame);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   snapshot.entropy = {-50.0 - 0.01 * frame, 3.0 * (frame / 10), -50 - 0.01 * frame + 3.0 * (frame / 10)};

@@ -44,6 +44,7 @@ struct DepthLineScene : Tracking {
     summed.assign(image);
     move_to(from);
     tracked.ray_matches.clear();
+    tracked.ray_particles.clear();
     update_depth_lines(summed, estimate, tracked);
   }
 };

@@ -93,6 +93,24 @@ TEST(DepthLine, HypothesesAreReweightedByBayes) {
   EXPECT_FALSE(camera.contains(pixel_of(from, nearest), 6))
       << "or the test does not look at those out of view";
 
+  // For display: the hypotheses in view, as they were before the match
+  const std::vector<DepthParticle>& shown = scene.tracked.ray_particles;
+  ASSERT_EQ(match.first_particle, 0);
+  ASSERT_EQ(static_cast<std::size_t>(match.particle_count), shown.size());
+  EXPECT_LT(shown.size(), before.feature(0).depths.size());
+  EXPECT_GT(shown.size(), 50u);
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  double share = 0;
+  for (const DepthParticle& particle : shown) {
+    mean += particle.weight * particle.pixel;
+    share += particle.weight;
+    EXPECT_EQ(particle.weight, before.feature(0).depths[0].weight) << "uniform at first";
+  }
+  EXPECT_LT((mean / share - match.predicted).norm(), 1e-9);
+  const DepthHypothesis& last = before.feature(0).depths.back();
+  const Eigen::Vector3d farthest = point_on(before.landmark(0), before.estimate.belief, last.inverse_depth);
+  EXPECT_LT((shown.back().pixel - pixel_of(from, farthest)).norm(), 1e-9);
+
   const auto expected = reweighted(before, *match.measured);
   const auto& particles = scene.appearance().depths;
   ASSERT_EQ(particles.size(), expected.size());

@@ -5,6 +5,7 @@
 
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
+#include "incognita/app/loop/world_outline.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/decision.hpp"
 #include "incognita/io/recordings/camera_of_recording.hpp"
@@ -52,8 +53,10 @@ Assembly assemble_recorded_images(const LoadedScenario& loaded) {
   const Camera camera = make_camera(s.camera);
   const std::optional<Target> target = start_target(loaded);
   const auto recording = std::make_shared<const Recording>(read_recording(loaded));
+  const std::vector<double> times = frame_times(*recording, s.run.duration_s);
   Assembly out;
   put_scenario(loaded, out.info);
+  out.info.rate_hz = mean_rate_hz(times);
   out.info.ate_alignment = target ? "se3" : "sim3";
   out.notes = recording->notes;
   if (std::string compared = compare_camera(loaded, *recording); !compared.empty())
@@ -61,7 +64,7 @@ Assembly assemble_recorded_images(const LoadedScenario& loaded) {
   if (!target) out.notes.emplace_back("no target: the scale is unobservable, lengths are in arbitrary units");
   auto estimator = image_estimator(loaded, camera, target);
   auto strategy = decide_for(*estimator, active_settings_of(s));
-  out.parts = {std::make_unique<ReplayClock>(frame_times(*recording, s.run.duration_s)),
+  out.parts = {std::make_unique<ReplayClock>(times),
                std::make_unique<ReplayWorld>(std::vector{recorded_truth(recording)}),
                std::make_unique<SensorSet>(sensors_of_body(
                    std::make_unique<RecordedImages>(recording, camera.width(), camera.height()))),

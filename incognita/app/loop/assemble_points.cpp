@@ -7,6 +7,7 @@
 
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
+#include "incognita/app/loop/world_outline.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/decision.hpp"
 #include "incognita/decision/no_decision.hpp"
@@ -90,7 +91,8 @@ std::unique_ptr<Controller> controller_of(const LoadedScenario& loaded, const Te
   });
 }
 
-RunInfo info_of_points(const LoadedScenario& loaded) {
+RunInfo info_of_points(const LoadedScenario& loaded, const Terrain& ground) {
+  const Eigen::Vector2d shown_m(20, 20);  // of an unbounded ground, on each side of the origin
   const Scenario& s = loaded.scenario;
   const MotionTraits& motion = s.motion();
   RunInfo info;
@@ -99,6 +101,7 @@ RunInfo info_of_points(const LoadedScenario& loaded) {
   info.bodies = static_cast<int>(vehicles_of(s));
   info.inputs = input_names(s.has_carried_camera() ? motion_traits<TerrainVehicle> : motion);
   info.steered_m = steered_point(s);
+  info.terrain = terrain_grid(ground, -shown_m, shown_m);
   return info;
 }
 
@@ -118,7 +121,7 @@ Assembly assemble_points(const LoadedScenario& loaded) {
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
   const auto associations = std::make_shared<AssociationTruth>();
   Assembly out;
-  out.info = info_of_points(loaded);
+  out.info = info_of_points(loaded, ground);
   if (identified)
     out.association_truth = associations;
   else

@@ -6,6 +6,7 @@
 
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
+#include "incognita/app/loop/world_outline.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/no_decision.hpp"
 #include "incognita/io/recordings/clock_warnings.hpp"
@@ -130,6 +131,7 @@ Assembly assemble_ranges(RangeRecording recording, const PlanarSlamSettings& s, 
       std::make_unique<SlamEstimator>(single_vehicle(s, identities.value_or(std::vector<std::int64_t>{}))),
       duration_s);
   out.info.body = "vehicle";
+  out.info.rate_hz = mean_rate_hz(scan_times(*recordings, duration_s));
   out.info.ate_alignment = frame_is_fixed ? "none" : "se3";
   out.info.truth_recorded = !r.truth.empty();
   out.info.warnings = clock_warnings(r);
@@ -200,6 +202,7 @@ Assembly assemble_team(const LoadedScenario& loaded) {
       point_estimator(loaded, recorded_team(loaded, *robots, times.front())), s.run.duration_s);
   put_scenario(loaded, out.info);
   out.info.body = "vehicle";
+  out.info.rate_hz = mean_rate_hz(times);
   out.info.bodies = static_cast<int>(robots->size());
   out.info.inputs = input_names(s.motion());
   out.info.survey = survey_of(robots->front(), true);

@@ -4,6 +4,7 @@
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
 #include "incognita/app/loop/operator_assembly.hpp"
+#include "incognita/app/loop/world_outline.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/decision.hpp"
 #include "incognita/decision/no_decision.hpp"
@@ -63,11 +64,15 @@ void put_estimator(std::unique_ptr<SlamEstimator> estimator, const Scenario& s, 
 
 /// A vehicle carries the camera.
 void put_vehicle(const LoadedScenario& loaded, const Camera& camera, const std::optional<Target>& target,
-                 LoopParts& parts) {
+                 Assembly& out) {
+  LoopParts& parts = out.parts;
   const Scenario& s = loaded.scenario;
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
   const Terrain ground = ground_of(loaded);
   const auto room = std::make_shared<const Room>(room_of(s), seed, ground);
+  out.info.room = outline_of(room->layout());
+  out.info.terrain =
+      terrain_grid(ground, out.info.room->inside.min.head<2>(), out.info.room->inside.max.head<2>());
   if (target) check_sheet(loaded, *target, room->layout().sheet);
   parts.world = std::make_unique<SimulatedWorld>(
       vehicle_in_room({ground}, s.mount, simulated_vehicle(s, 0, ground).body.plant, room->layout(),
@@ -84,10 +89,12 @@ void put_vehicle(const LoadedScenario& loaded, const Camera& camera, const std::
 
 /// The camera flies, or an operator holds it.
 void put_free_camera(const LoadedScenario& loaded, const Camera& camera, const std::optional<Target>& target,
-                     LoopParts& parts) {
+                     Assembly& out) {
+  LoopParts& parts = out.parts;
   const Scenario& s = loaded.scenario;
   const auto seed = static_cast<std::uint64_t>(s.run.seed);
   const auto room = std::make_shared<const Room>(s.room, seed);
+  out.info.room = outline_of(room->layout());
   if (target) check_sheet(loaded, *target, room->layout().sheet);
   SimulatedBody body = camera_in_room(s.room, room->layout(), seed);
   if (s.operator_settings.holds) body.actuator = operator_of(s, 0);
@@ -112,9 +119,9 @@ Assembly assemble_rendered(const LoadedScenario& loaded) {
   if (!target) out.notes.emplace_back("no target: the scale is unobservable, lengths are in arbitrary units");
   out.parts.clock = std::make_unique<FixedRateClock>(s.run.rate_hz, s.run.duration_s);
   if (s.is_room_vehicle())
-    put_vehicle(loaded, camera, target, out.parts);
+    put_vehicle(loaded, camera, target, out);
   else
-    put_free_camera(loaded, camera, target, out.parts);
+    put_free_camera(loaded, camera, target, out);
   return out;
 }
 

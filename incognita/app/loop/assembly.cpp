@@ -3,6 +3,8 @@
 #include <stdexcept>
 
 #include "incognita/app/loop/assemblers.hpp"
+#include "incognita/app/loop/body_models.hpp"
+#include "incognita/app/loop/world_outline.hpp"
 #include "incognita/io/scenario/located.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/messages/unfit_setting.hpp"
@@ -20,9 +22,14 @@ Assembly assembled(const LoadedScenario& loaded) {
 }  // namespace
 
 void put_scenario(const LoadedScenario& loaded, RunInfo& info) {
+  const Scenario& s = loaded.scenario;
+  info.name = loaded.name;
   info.effective_toml = effective_toml(loaded);
-  info.seed = loaded.scenario.run.seed;
-  info.patch_size_px = loaded.scenario.slam.search.patch_size_px;
+  info.seed = s.run.seed;
+  info.patch_size_px = s.slam.search.patch_size_px;
+  if (!s.is_recording()) info.rate_hz = s.run.rate_hz;
+  const bool has_camera = s.is_simulated() ? dimensions_of(sensor_of(s)) == 3 : s.sensor.type == "camera";
+  if (has_camera) info.camera = intrinsics_of(s.camera);
 }
 
 Assembly assemble(const LoadedScenario& loaded) {

@@ -93,7 +93,7 @@ Eigen::Vector2d first_two(const Numbers& z) {
   return {z.size() > 0 ? z[0] : nan, z.size() > 1 ? z[1] : nan};
 }
 
-SnapshotMatch match_of(const Match& match) {
+SnapshotMatch match_of(const Match& match, const std::vector<DepthParticle>& particles) {
   SnapshotMatch out;
   out.id = match.id;
   out.anchor = match.anchor;
@@ -109,6 +109,10 @@ SnapshotMatch match_of(const Match& match) {
   out.innovation_cov.topLeftCorner(size, size) = match.innovation_cov.topLeftCorner(size, size);
   out.correlation = match.correlation;
   out.outcome = match.outcome;
+  for (int i = 0; i < match.particle_count; ++i) {
+    const DepthParticle& particle = particles.at(static_cast<std::size_t>(match.first_particle + i));
+    out.particles.push_back({particle.pixel, particle.weight});
+  }
   return out;
 }
 
@@ -123,7 +127,7 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
   s.status = e.status;
   s.bodies = bodies_of(e, truth, command, tick.t);
   s.landmarks = landmarks_of(e);
-  for (const Match& match : e.last.matches) s.matches.push_back(match_of(match));
+  for (const Match& match : e.last.matches) s.matches.push_back(match_of(match, e.last.particles));
   s.predicted = e.last.predicted;
   s.matched = e.last.matched;
   if (e.last.update.outcome == UpdateReport::Outcome::updated) {
@@ -137,6 +141,7 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
   }
   s.coverage = goal.coverage;
   s.entropy_extended = goal.entropy_extended;
+  s.exploration = goal.exploration;
   s.timing_ms = timing_of(e.timing_ms, loop_ms);
   return s;
 }

@@ -90,7 +90,12 @@ Json match() {
        {"predicted", array(number(), "the first two components, before the measurement was used"), sometimes},
        {"innovation_cov", array(number(), "of them: 11, 12, 22"), sometimes},
        {"measured", array(number(), "the first two components"), sometimes},
-       {"correlation", number("of the best match in the image"), sometimes}});
+       {"correlation", number("of the best match in the image"), sometimes},
+       {"particles",
+        array(number(),
+              "of a ray: u, v (px) and probability before this match of each depth hypothesis in view, "
+              "one after the other"),
+        sometimes}});
 }
 
 Json decision() {
@@ -108,6 +113,10 @@ Json body() {
                  {"orientation", quaternion("world_from_body"), sometimes},
                  {"pose_covariance",
                   array(number(), "6x6, row-major: x y z (m, world), rotation (rad, body axes)"), sometimes},
+                 {"truth",
+                  object({{"position", xyz("m")}, {"orientation", quaternion("world_from_body"), sometimes}},
+                         "in the true world"),
+                  sometimes},
                  {"velocity", xyz("m/s, world; of a free camera"), sometimes},
                  {"angular_rate", xyz("rad/s, camera axes; of a free camera"), sometimes},
                  {"reference", array(number(), "x, y, z (m) and heading (rad)"), sometimes},
@@ -141,6 +150,42 @@ Json intervention() {
                  {"up", number(), sometimes},
                  {"turn", number("positive to the left"), sometimes},
                  {"settings", array(text(), "of the decision, key=value"), sometimes}});
+}
+
+Json exploration() {
+  Json seen = text("one bit per cell, x fastest, the lowest bit of a byte first");
+  seen["contentEncoding"] = "base64";
+  return object({{"min", array(number(), "m, world: lower corner")},
+                 {"max", array(number(), "m, world: upper corner")},
+                 {"cell_m", number("wanted edge of a cell; cells are shrunk to fill the volume")},
+                 {"cells", array(integer(), "along x, y, z")},
+                 {"seen", seen}},
+                "exploration volume, about once a second");
+}
+
+Json camera() {
+  return object({{"width", integer("px")},
+                 {"height", integer("px")},
+                 {"fx", number("px")},
+                 {"fy", number("px")},
+                 {"cx", number("px")},
+                 {"cy", number("px; the center of the first pixel is (0,0)")}},
+                "intrinsics, without distortion");
+}
+
+Json room() {
+  const Json min = array(number(), "m, world: x, y, z"), max = min;
+  return object({{"min", min}, {"max", max}, {"boxes", array(object({{"min", min}, {"max", max}}))}},
+                "interior of the rendered room, and the boxes in it");
+}
+
+Json terrain() {
+  return object({{"origin", array(number(), "m, world: x, y of the first point")},
+                 {"step_m", number("between neighbors")},
+                 {"columns", integer("points along x")},
+                 {"rows", integer("points along y")},
+                 {"heights", array(number(), "m, row by row")}},
+                "uneven ground");
 }
 
 Json entropy() {
@@ -201,6 +246,23 @@ std::string image_annotations() {
                   object({{"circles", unused()}, {"points", array(outline)}, {"texts", unused()}}));
 }
 
+std::string run() {
+  return document("incognita.Run",
+                  object({{"name", text("of the scenario")},
+                          {"version", text("of the program")},
+                          {"seed", integer()},
+                          {"body", text("whose pose is estimated: camera or vehicle")},
+                          {"bodies", integer("number of bodies")},
+                          {"inputs", array(text(), "names of the inputs of each body, with units")},
+                          {"patch_size_px", integer("side of the matched patches")},
+                          {"same_frame_as_truth", flag("estimate and truth are compared without alignment")},
+                          {"scale_known", flag("lengths of the estimate are in m")},
+                          {"rate_hz", number("frames per second; of a recording the mean"), sometimes},
+                          {"camera", camera(), sometimes},
+                          {"room", room(), sometimes},
+                          {"terrain", terrain(), sometimes}}));
+}
+
 std::string snapshot() {
   return document(
       "incognita.Snapshot",
@@ -221,7 +283,8 @@ std::string snapshot() {
            {"interventions", array(intervention(), "of a person, before the motion of this tick"), sometimes},
            {"matches", array(match())},
            {"landmark_ids", array(integer())},
-           {"landmarks", array(landmark(), "about once a second"), sometimes}}));
+           {"landmarks", array(landmark(), "about once a second"), sometimes},
+           {"exploration", exploration(), sometimes}}));
 }
 
 }  // namespace incognita::message_schemas

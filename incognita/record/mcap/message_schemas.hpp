@@ -18,6 +18,7 @@ std::string pose_in_frame();
 std::string scene_update();
 std::string compressed_image();
 std::string image_annotations();
+std::string run();
 std::string snapshot();
 }  // namespace message_schemas
 

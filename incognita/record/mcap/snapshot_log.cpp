@@ -1,8 +1,10 @@
 #include "incognita/record/mcap/snapshot_log.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "incognita/record/mcap/message_schemas.hpp"
+#include "incognita/record/mcap/run_message.hpp"
 #include "incognita/record/mcap/snapshot_message.hpp"
 #include "incognita/record/mcap/viewer_messages.hpp"
 #include "incognita/record/snapshot/series.hpp"
@@ -39,12 +41,14 @@ const SnapshotLog::Topic SnapshotLog::annotations{"/camera/annotations", "foxglo
                                                   message_schemas::image_annotations};
 const SnapshotLog::Topic SnapshotLog::maps{"/map", "foxglove.SceneUpdate", message_schemas::scene_update};
 const SnapshotLog::Topic SnapshotLog::snapshots{"/snapshot", "incognita.Snapshot", message_schemas::snapshot};
+const SnapshotLog::Topic SnapshotLog::run{"/run", "incognita.Run", message_schemas::run};
 
 SnapshotLog::SnapshotLog(const std::filesystem::path& path, const RunInfo& info)
     : file_(path, "incognita " + info.version),
       true_world_(same_frame_as_truth(info) ? world : "true_world"),
       body_(info.body),
-      patch_size_px_(info.patch_size_px) {}
+      patch_size_px_(info.patch_size_px),
+      run_(run_message(info)) {}
 
 void SnapshotLog::put(const Topic& topic, const std::string& message) {
   auto channel = channels_.find(topic.name);
@@ -63,7 +67,7 @@ void SnapshotLog::put_poses(const Snapshot& snapshot) {
       put(transforms, frame_transform(time_ns_, world, frame, body.estimate));
       if (i == 0) put(estimated_poses, pose_in_frame(time_ns_, world, body.estimate));
     }
-    if (!body.truth) continue;
+    if (!body.truth || !finite(*body.truth)) continue;
     put(transforms, frame_transform(time_ns_, true_world_, "true_" + frame, *body.truth));
     if (i == 0) put(true_poses, pose_in_frame(time_ns_, true_world_, *body.truth));
   }
@@ -81,9 +85,10 @@ void SnapshotLog::publish(const Snapshot& snapshot) {
   if (!file_.is_open()) return;
   time_ns_ = nanoseconds(snapshot.tick.t);
   const bool with_map = is_due(time_ns_, map_time_ns_, map_every_ns);
+  if (!run_.empty()) put(run, std::exchange(run_, {}));
   put_poses(snapshot);
   put_picture(snapshot);
-  put(snapshots, snapshot_message(snapshot, with_map));
+  put(snapshots, snapshot_message(snapshot, with_map, ParticleLists::flat));
   if (!with_map) return;
   put(maps, scene_update(time_ns_, world, snapshot.landmarks));
   map_time_ns_ = time_ns_;

@@ -17,7 +17,8 @@ namespace incognita {
 
 /// Topics, each created with its first message:
 ///
-/// - /snapshot: incognita.Snapshot, every frame, with the full map about once per second.
+/// - /run: incognita.Run, once, before everything else, at the time of the first snapshot.
+/// - /snapshot: incognita.Snapshot, every frame, with the full map and the exploration volume about once per second.
 /// - /tf: pose of `camera` (or `vehicle`) in `world`, and of `true_camera` (`true_vehicle`). The truth has
 ///   its own root frame, `true_world`, if it is not expressed in the frame of the estimate.
 /// - /estimate/pose, /truth/pose: the same as poses. No estimate while starting or lost.
@@ -43,7 +44,7 @@ class SnapshotLog {
     const char* schema_name;
     std::string (*schema)();
   };
-  static const Topic transforms, estimated_poses, true_poses, images, annotations, maps, snapshots;
+  static const Topic transforms, estimated_poses, true_poses, images, annotations, maps, snapshots, run;
 
   void put(const Topic& topic, const std::string& message);
   void put_poses(const Snapshot& snapshot);
@@ -54,7 +55,8 @@ class SnapshotLog {
   std::string_view true_world_;
   std::string body_;  ///< name of the moving frame
   int patch_size_px_;
-  std::uint64_t time_ns_ = 0;                                   ///< of the last snapshot
+  std::string run_;            ///< the message about the run, until it is written
+  std::uint64_t time_ns_ = 0;  ///< of the last snapshot
   std::optional<std::uint64_t> map_time_ns_, picture_time_ns_;  ///< of the last message in the file
 };
 

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
+#include "incognita/record/files/image_text.hpp"
 #include "incognita/record/snapshot/interventions.hpp"
 #include "incognita/record/snapshot/series.hpp"
 
@@ -14,6 +16,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json xyz(const Eigen::Vector3d& v) { return {{"x", v.x()}, {"y", v.y()}, {"z", v.z()}}; }
+
+Json quaternion(const Eigen::Vector4d& wxyz) {
+  return {{"x", wxyz[1]}, {"y", wxyz[2]}, {"z", wxyz[3]}, {"w", wxyz[0]}};
+}
 
 void put(Json& json, const char* key, double value) {
   if (std::isfinite(value)) json[key] = value;
@@ -38,7 +44,22 @@ void put(Json& json, const char* key, const Eigen::MatrixXd& values) {
     for (Eigen::Index j = 0; j < values.cols(); ++j) list.push_back(values(i, j));
 }
 
-Json match_json(const SnapshotMatch& match) {
+void put_particles(Json& json, const std::vector<SnapshotParticle>& particles, ParticleLists lists) {
+  constexpr double least_weight = 1e-3;
+  Json all = Json::array();
+  for (const SnapshotParticle& particle : particles) {
+    if (!(particle.weight >= least_weight) || !particle.pixel.allFinite()) continue;
+    const Json numbers{std::round(particle.pixel.x() * 10) / 10, std::round(particle.pixel.y() * 10) / 10,
+                       std::round(particle.weight * 1e3) / 1e3};
+    if (lists == ParticleLists::grouped)
+      all.push_back(numbers);
+    else
+      all.insert(all.end(), numbers.begin(), numbers.end());
+  }
+  if (!all.empty()) json["particles"] = std::move(all);
+}
+
+Json match_json(const SnapshotMatch& match, ParticleLists particles) {
   Json json{{"id", match.of_body ? match.id + 1 : match.id},
             {"kind", kind(match)},
             {"outcome", name(match.outcome)},
@@ -48,6 +69,7 @@ Json match_json(const SnapshotMatch& match) {
   const Eigen::Matrix2d& S = match.innovation_cov;
   put_shortened(json, "predicted", {match.predicted.x(), match.predicted.y()});
   put_shortened(json, "innovation_cov", {S(0, 0), S(0, 1), S(1, 1)});
+  put_particles(json, match.particles, particles);
   if (!match.measured) return json;
   put_shortened(json, "measured", {match.measured->x(), match.measured->y()});
   if (match.image) put(json, "correlation", shortened(match.correlation));
@@ -68,9 +90,8 @@ Json decision_json(const SnapshotDecision& decision) {
 
 void put_pose(Json& json, const SnapshotBody& body) {
   if (!has_pose(body) || !body.estimate.position.allFinite()) return;
-  const Eigen::Vector4d& q = body.estimate.orientation;
   json["position"] = xyz(body.estimate.position);
-  json["orientation"] = {{"x", q[1]}, {"y", q[2]}, {"z", q[3]}, {"w", q[0]}};
+  json["orientation"] = quaternion(body.estimate.orientation);
   put(json, "pose_covariance", Eigen::MatrixXd(body.covariance));
   if (body.velocity) {
     json["velocity"] = xyz(body.velocity->head<3>());
@@ -78,9 +99,17 @@ void put_pose(Json& json, const SnapshotBody& body) {
   }
 }
 
+void put_truth(Json& json, const StampedPose& truth) {
+  if (!truth.position.allFinite()) return;
+  Json& pose = json["truth"];
+  pose["position"] = xyz(truth.position);
+  if (truth.oriented && truth.orientation.allFinite()) pose["orientation"] = quaternion(truth.orientation);
+}
+
 Json body_json(const SnapshotBody& body) {
   Json json{{"state", name(body.state)}};
   put_pose(json, body);
+  if (body.truth) put_truth(json, *body.truth);
   if (body.reference) put(json, "reference", Eigen::MatrixXd(*body.reference));
   if (body.input.size() > 0) put(json, "input", Eigen::MatrixXd(body.input));
   json["operator_controlled"] = body.operator_controlled;
@@ -98,6 +127,16 @@ Json landmark_json(const SnapshotLandmark& landmark) {
   return json;
 }
 
+Json exploration_json(const ExplorationVolume& volume) {
+  const auto list = [](const auto& v) { return Json{v[0], v[1], v[2]}; };
+  const std::string_view bits(reinterpret_cast<const char*>(volume.seen.data()), volume.seen.size());
+  return {{"min", list(volume.min_m)},
+          {"max", list(volume.max_m)},
+          {"cell_m", volume.cell_m},
+          {"cells", list(volume.cells)},
+          {"seen", base64(bits)}};
+}
+
 Json entropy_json(const SnapshotEntropy& entropy) {
   Json json = Json::object();
   put(json, "vehicle", entropy.vehicle);
@@ -108,7 +147,7 @@ Json entropy_json(const SnapshotEntropy& entropy) {
 
 }  // namespace
 
-std::string snapshot_message(const Snapshot& snapshot, bool landmarks) {
+std::string snapshot_message(const Snapshot& snapshot, bool landmarks, ParticleLists particles) {
   Json json{{"frame", snapshot.tick.frame},
             {"t", snapshot.tick.t},
             {"dt", snapshot.tick.dt},
@@ -129,12 +168,13 @@ std::string snapshot_message(const Snapshot& snapshot, bool landmarks) {
       interventions.push_back(Json::parse(intervention_json(intervention)));
   }
   Json& matches = json["matches"] = Json::array();
-  for (const SnapshotMatch& match : snapshot.matches) matches.push_back(match_json(match));
+  for (const SnapshotMatch& match : snapshot.matches) matches.push_back(match_json(match, particles));
   Json& ids = json["landmark_ids"] = Json::array();
   for (const SnapshotLandmark& landmark : snapshot.landmarks) ids.push_back(landmark.id);
   if (landmarks) {
     Json& map = json["landmarks"] = Json::array();
     for (const SnapshotLandmark& landmark : snapshot.landmarks) map.push_back(landmark_json(landmark));
+    if (snapshot.exploration) json["exploration"] = exploration_json(*snapshot.exploration);
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

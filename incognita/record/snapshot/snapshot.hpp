@@ -10,6 +10,7 @@
 
 #include "incognita/analysis/evaluation/pose_consistency.hpp"
 #include "incognita/math/small_matrix.hpp"
+#include "incognita/messages/exploration_volume.hpp"
 #include "incognita/messages/intervention.hpp"
 #include "incognita/messages/tick.hpp"
 #include "incognita/slam/mapper/status.hpp"
@@ -26,6 +27,12 @@ struct SnapshotLandmark {
   int detection_count = 0;                               ///< matches so far
 };
 
+/// A depth hypothesis of a ray, as predicted in the image.
+struct SnapshotParticle {
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+  double weight = 0;  ///< its probability before this match; those out of view are omitted
+};
+
 /// A measurement with its association. Of a measurement with more components the first two: of an image px, else m and
 /// rad in the coordinates of the sensor.
 struct SnapshotMatch {
@@ -37,10 +44,11 @@ struct SnapshotMatch {
   std::optional<Eigen::Vector2d> measured;  ///< none where the search found nothing
   double correlation = 0;                   ///< of an image: normalized correlation at the best match
   MatchOutcome outcome = MatchOutcome::not_searched;
-  int body = 0;          ///< the measuring body, from 0
-  int sensor = 0;        ///< which of the point sensors of the body, or of all cameras
-  bool image = false;    ///< measured by a camera in its image
-  bool of_body = false;  ///< the target is another body with index `id`, not a landmark
+  int body = 0;                             ///< the measuring body, from 0
+  int sensor = 0;                           ///< which of the point sensors of the body, or of all cameras
+  bool image = false;                       ///< measured by a camera in its image
+  bool of_body = false;                     ///< the target is another body with index `id`, not a landmark
+  std::vector<SnapshotParticle> particles;  ///< of a ray in an image
 };
 
 inline const char* kind(const SnapshotMatch& match) {
@@ -96,6 +104,7 @@ struct Snapshot {
   /// Entropy in nats of vehicle, map and expected unmapped landmarks (Figure 6.3), from the last decision.
   std::optional<double> entropy_extended;
   std::vector<Intervention> interventions;                ///< that took effect before the motion of this tick
+  std::shared_ptr<const ExplorationVolume> exploration;   ///< null without an exploration prior
   std::vector<std::pair<const char*, double>> timing_ms;  ///< stage -> ms, same order in every snapshot
 };
 

@@ -131,9 +131,6 @@ double path_json(const BodyReport& body, const RunReport& report) {
 
 }  // namespace
 
-bool same_frame_as_truth(const RunInfo& info) { return info.ate_alignment == name(AlignmentKind::none); }
-bool scale_is_known(const RunInfo& info) { return info.ate_alignment != name(AlignmentKind::sim3); }
-
 RunSummary::RunSummary(const RunInfo& info)
     : version_(info.version),
       seed_(info.seed),

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "incognita/analysis/evaluation/trajectory.hpp"
@@ -16,34 +15,11 @@
 #include "incognita/record/summary/map_survey.hpp"
 #include "incognita/record/summary/path_distance.hpp"
 #include "incognita/record/summary/path_summary.hpp"
+#include "incognita/record/summary/run_info.hpp"
 #include "incognita/record/summary/run_report.hpp"
 #include "incognita/record/summary/run_status.hpp"
 
 namespace incognita {
-
-using SummaryValue = std::variant<bool, std::int64_t, double, std::string>;
-
-/// What is known of a run before it starts.
-struct RunInfo {
-  std::string effective_toml;  ///< all settings in force with their sources
-  std::int64_t seed = 0;
-  std::string version;
-  std::string ate_alignment = "none";  ///< `none` if anchors fix the frame, `sim3` if the scale is free
-  bool truth_recorded = false;         ///< a recording with truth, even if the first frames lack it
-  std::string body = "camera";         ///< whose pose is estimated: `camera` or `vehicle`
-  int bodies = 1;
-  Eigen::Vector2d steered_m{0, 0};         ///< controlled point, ahead and left of the body's origin
-  std::vector<std::string> inputs = {};    ///< of each body: names with units, e.g. "speed_m_s"
-  int patch_size_px = 11;                  ///< side of the matched patches, for drawing
-  std::vector<std::string> warnings = {};  ///< likely problems of the input
-  Survey survey = {};                      ///< true landmarks, for evaluation; empty if unknown
-  std::vector<std::pair<std::string, SummaryValue>> extra;  ///< further fields of summary.json
-};
-
-/// Whether estimate and truth can be compared without alignment.
-bool same_frame_as_truth(const RunInfo& info);
-/// Whether lengths of the estimate are in m; else their unit is arbitrary.
-bool scale_is_known(const RunInfo& info);
 
 class RunSummary {
  public:

@@ -304,7 +304,7 @@ void SlamEstimator::maintain_maps(Estimate& e) {
 
 void SlamEstimator::report(Estimate& e) const {
   e.last.predicted += static_cast<int>(e.last.matches.size());
-  for (const FeatureTracker& camera : cameras_) camera.append_matches(e.last.matches);
+  for (const FeatureTracker& camera : cameras_) camera.append_matches(e.last);
 }
 
 }  // namespace incognita

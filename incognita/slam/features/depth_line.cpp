@@ -131,6 +131,15 @@ RayMatch predict_ray_match(std::int64_t id, const Feature& feature,
   return match;
 }
 
+/// Keeps the hypotheses in view as they are before the match, for display.
+void keep_particles(RayMatch& match, const Feature& feature, const std::vector<Hypothesis>& hypotheses,
+                    std::vector<DepthParticle>& particles) {
+  match.first_particle = static_cast<int>(particles.size());
+  match.particle_count = static_cast<int>(hypotheses.size());
+  for (const Hypothesis& h : hypotheses)
+    particles.push_back({h.ellipse.center, feature.depths[h.depth].weight});
+}
+
 /// The patch of a line as it looks from here, at its mean depth.
 std::optional<PatchTemplate> patch_of(const Landmark& line, const Feature& feature, const Estimate& estimate,
                                       const TrackedCamera& camera) {
@@ -152,6 +161,7 @@ bool follow(Landmark& line, Feature& feature, CorrelationSheet& sheet, const Sum
   const auto fail = [&] { return ++feature.ray_failures < initialization.max_line_failures; };
   if (hypotheses.empty()) return fail();
   RayMatch& match = camera.ray_matches.emplace_back(predict_ray_match(line.id, feature, hypotheses));
+  keep_particles(match, feature, hypotheses, camera.ray_particles);
   const auto patch = patch_of(line, feature, estimate, camera);
   if (!patch) return fail();
   start_sheet(sheet, image, *patch, hypotheses, camera.settings.search);

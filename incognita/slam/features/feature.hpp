@@ -68,6 +68,7 @@ struct RayMatch {
   std::optional<Eigen::Vector2d> measured;
   double correlation = 0;
   MatchOutcome outcome = MatchOutcome::not_searched;
+  int first_particle = 0, particle_count = 0;  ///< the hypotheses in view, in TrackedCamera::ray_particles
 };
 
 /// Pose of a camera, from the estimate of the body that carries it.
@@ -97,8 +98,9 @@ struct TrackedCamera {
   Viewpoint view = {};
   std::vector<FeatureMatch> matches = {};
   std::vector<RayMatch> ray_matches = {};
-  int predicted = 0;  ///< features searched for
-  int matched = 0;    ///< inliers
+  std::vector<DepthParticle> ray_particles = {};  ///< of those, one after the other
+  int predicted = 0;                              ///< features searched for
+  int matched = 0;                                ///< inliers
 
   double pixel_var() const { return settings.filter.sigma_pixel_px * settings.filter.sigma_pixel_px; }
 };

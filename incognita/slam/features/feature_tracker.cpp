@@ -89,6 +89,7 @@ void FeatureTracker::start_map(Estimate& estimate, const std::optional<TargetPos
 
 void FeatureTracker::predict(const Estimate& estimate, const AnyMotion& motion) {
   camera_.ray_matches.clear();
+  camera_.ray_particles.clear();
   camera_.predicted = camera_.matched = 0;
   camera_.view = viewpoint(estimate, camera_, motion);
   predict_matches(estimate, camera_);
@@ -181,11 +182,17 @@ Match image_match(const SomeMatch& match, const TrackedCamera& camera) {
 
 }  // namespace
 
-void FeatureTracker::append_matches(std::vector<Match>& matches) const {
+void FeatureTracker::append_matches(FrameReport& report) const {
   for (const FeatureMatch& match : camera_.matches)
-    matches.emplace_back(image_match(match, camera_)).anchor = match.anchor;
-  for (const RayMatch& match : camera_.ray_matches)
-    matches.emplace_back(image_match(match, camera_)).ray = true;
+    report.matches.emplace_back(image_match(match, camera_)).anchor = match.anchor;
+  const int before = static_cast<int>(report.particles.size());
+  report.particles.insert(report.particles.end(), camera_.ray_particles.begin(), camera_.ray_particles.end());
+  for (const RayMatch& match : camera_.ray_matches) {
+    Match& ray = report.matches.emplace_back(image_match(match, camera_));
+    ray.ray = true;
+    ray.first_particle = before + match.first_particle;
+    ray.particle_count = match.particle_count;
+  }
 }
 
 }  // namespace incognita

@@ -78,7 +78,7 @@ class FeatureTracker {
   void adopt(std::int64_t id, Feature feature) { camera_.features[id] = std::move(feature); }
 
   /// Appends the matches of this frame.
-  void append_matches(std::vector<Match>& matches) const;
+  void append_matches(FrameReport& report) const;
 
   const TrackedCamera& camera() const { return camera_; }
   int matched() const { return camera_.matched; }

@@ -70,6 +70,12 @@ struct Landmark {
   bool mapped() const { return !fixed && form.kind != LandmarkParametrization::Kind::ray; }
 };
 
+/// A depth hypothesis of a ray as predicted in the image.
+struct DepthParticle {
+  Eigen::Vector2d pixel{0.0, 0.0};
+  double weight = 0;  ///< its probability before this match; those out of view are omitted
+};
+
 /// A measurement with its association.
 struct Match {
   int body = 0;
@@ -84,6 +90,7 @@ struct Match {
   MeasurementMatrix innovation_cov;  ///< rows x rows; empty in the same cases
   double correlation = 0;            ///< images: normalized cross-correlation at the best match
   MatchOutcome outcome = MatchOutcome::not_searched;
+  int first_particle = 0, particle_count = 0;  ///< of a ray: its hypotheses in FrameReport::particles
 };
 
 /// A position fix that was applied to a body.
@@ -96,6 +103,7 @@ struct UsedFix {
 /// The results of one tick.
 struct FrameReport {
   std::vector<Match> matches;
+  std::vector<DepthParticle> particles;  ///< of the rays among the matches, one after the other
   std::vector<UsedFix> fixes;
   int predicted = 0;      ///< landmarks searched for in the images, and detections of the other sensors
   int matched = 0;        ///< matches that updated the filter
@@ -109,8 +117,10 @@ struct FrameReport {
   void restart() {
     FrameReport next;
     next.matches.swap(matches);
+    next.particles.swap(particles);
     next.fixes.swap(fixes);
     next.matches.clear();
+    next.particles.clear();
     next.fixes.clear();
     *this = std::move(next);
   }

@@ -1,0 +1,111 @@
+// The image of the camera with the matches of the same frame.
+import { onDemand } from '../state/draw-scheduler.js';
+import { drawMatches } from './overlay.js';
+/** @typedef {import('../state/run-state.js').RunState} RunState */
+/** @typedef {import('../state/types.js').Match} Match */
+/** @typedef {import('../state/types.js').Snapshot} Snapshot */
+
+export class CameraView {
+  /** @type {ImageBitmap | null} */
+  #bitmap = null;
+  #bitmapFrame = -1;
+  #decoding = false;
+  options = { overlay: true, ids: false };
+
+  /** @param {HTMLCanvasElement} canvas @param {RunState} run @param {(words: string) => void} setNote */
+  constructor(canvas, run, setNote) {
+    this.canvas = canvas;
+    this.run = run;
+    this.setNote = setNote;
+    this.draw = onDemand(() => this.drawNow());
+    run.on('info', () => this.#forget());
+    run.on('image', () => this.#decode());
+    run.on('snapshot', () => this.draw());
+    new ResizeObserver(() => this.draw()).observe(canvas);
+  }
+
+  /** @returns {Promise<Blob | null>} the present view as PNG */
+  png() {
+    this.drawNow();
+    return new Promise((resolve) => this.canvas.toBlob(resolve));
+  }
+
+  #forget() {
+    this.#bitmap?.close();
+    this.#bitmap = null;
+    this.draw();
+  }
+
+  /** Decodes the newest image; those that arrive meanwhile are skipped. */
+  async #decode() {
+    if (this.#decoding) return;
+    this.#decoding = true;
+    while (this.run.image && this.run.image.frame !== this.#bitmapFrame) {
+      const { frame, jpeg } = this.run.image;
+      const bitmap = await createImageBitmap(jpeg).catch(() => null);
+      if (!bitmap) break;
+      this.#bitmap?.close();
+      this.#bitmap = bitmap;
+      this.#bitmapFrame = frame;
+      this.draw();
+    }
+    this.#decoding = false;
+  }
+
+  drawNow() {
+    const camera = this.run.info?.camera;
+    const context = this.canvas.getContext('2d');
+    if (!camera || !context || this.canvas.clientWidth === 0) return;
+    const ratio = window.devicePixelRatio;
+    const width = Math.round(this.canvas.clientWidth * ratio);
+    const height = Math.round((width * camera.height) / camera.width);
+    if (this.canvas.width !== width || this.canvas.height !== height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+    }
+    const style = getComputedStyle(document.documentElement);
+    context.fillStyle = style.getPropertyValue('--line');
+    context.fillRect(0, 0, width, height);
+    context.imageSmoothingEnabled = false;
+    if (this.#bitmap) context.drawImage(this.#bitmap, 0, 0, width, height);
+    const snapshot = this.#snapshotOfImage();
+    const matches = imageMatches(snapshot);
+    if (this.options.overlay) {
+      drawMatches(context, matches, {
+        scale: width / camera.width, line: ratio, patchSize: this.run.info?.patch_size_px ?? 11,
+        color: brightColor, ids: this.options.ids,
+      });
+    }
+    this.setNote(this.#note(snapshot));
+  }
+
+  /** @returns {Snapshot | null} */
+  #snapshotOfImage() {
+    return this.run.recent.get(this.#bitmapFrame) ?? this.run.snapshot;
+  }
+
+  /** @param {Snapshot | null} snapshot */
+  #note(snapshot) {
+    if (!this.#bitmap) return 'no image yet';
+    if (!snapshot || snapshot.frame === this.#bitmapFrame) return `frame ${this.#bitmapFrame}`;
+    return `image of frame ${this.#bitmapFrame}, matches of frame ${snapshot.frame}`;
+  }
+}
+
+/** Matches in the first camera that has any: the program sends one image per frame.
+ * @param {Snapshot | null} snapshot @returns {Match[]} */
+function imageMatches(snapshot) {
+  const all = (snapshot?.matches ?? []).filter((match) => match.image);
+  return all.filter((match) => match.body === all[0].body && match.sensor === all[0].sensor);
+}
+
+/** Colors over an image are the same in both themes: the light ones of the Okabe-Ito palette. */
+const OVER_IMAGE = {
+  '--green': '#2cc295', '--vermilion': '#ff7f3a', '--purple': '#f09fd0', '--orange': '#ffb000', '--gray': '#c8ced8',
+  '--sky': '#7fd0ff', '--blue': '#4aa8e0',
+};
+
+/** @param {string} name @returns {string} */
+export function brightColor(name) {
+  return /** @type {Record<string, string>} */ (OVER_IMAGE)[name] ?? '#ffffff';
+}

@@ -1,0 +1,122 @@
+// Start of the page: asks the program what it shows, then builds sources, state and views. Data flows one way: a source
+// writes the state, views read it.
+import { fetchInfo, fetchMode, fetchSeries } from './connection/api.js';
+import { followLiveRun } from './connection/live-run.js';
+import { ReplayRun } from './connection/replay-run.js';
+import { announcer } from './panels/announcer.js';
+import { button, labeled, select } from './panels/dom.js';
+import { helpDialog } from './panels/help.js';
+import { loopBar } from './panels/loop-bar.js';
+import { messages } from './panels/messages.js';
+import { newRunDialog } from './panels/new-run.js';
+import { runView } from './panels/run-view.js';
+import { listenToShortcuts } from './panels/shortcuts.js';
+import { applyTheme, themeButton } from './panels/theme.js';
+import { timeline } from './panels/timeline.js';
+import { saveSvg } from './plots/save-svg.js';
+import { Clock } from './state/clock.js';
+import { RunState } from './state/run-state.js';
+import { Session } from './state/session.js';
+import { exposeForTests } from './test-access.js';
+/** @typedef {import('./state/types.js').Mode} Mode */
+
+const RETRY_MS = 2000;
+/** @type {[string, string][]} */
+const SPANS = [['Infinity', 'whole run'], ['60', '60 s'], ['20', '20 s'], ['5', '5 s']];
+
+/** @param {string} id @returns {HTMLElement} */
+const byId = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+async function start() {
+  applyTheme();
+  /** @type {Mode} */
+  let mode;
+  try {
+    mode = await fetchMode();
+  } catch (error) {
+    byId('mode').textContent = `The program does not answer (${/** @type {Error} */ (error).message}). Trying again …`;
+    setTimeout(start, RETRY_MS);
+    return;
+  }
+  buildPage(new Session(mode));
+}
+
+/** @param {Session} session */
+function buildPage(session) {
+  const { mode, runs: named, version } = session.mode;
+  const shown = named.slice(0, mode === 'live' ? 1 : 2);
+  const runs = shown.map(() => new RunState());
+  const clock = new Clock(runs);
+  const views = runs.map((run, k) => runView(run, shown[k].name, session, clock));
+  const replays = runs.map((run, k) => new ReplayRun(k, run, (text) => session.report(text)));
+  exposeForTests(runs, () => views.map((view) => view.scene()));
+
+  byId('mode').textContent = `${mode}, version ${version}`;
+  document.title = `${shown.map(({ name }) => name).join(' and ')} – incognita`;
+  byId('runs').classList.toggle('two', runs.length > 1);
+  byId('runs').replaceChildren(...views.map((view) => view.element));
+  const newRun = newRunDialog(runs[0], session);
+  const help = helpDialog();
+  const theme = themeButton(() => views.forEach((view) => view.updateTheme()));
+  document.body.append(announcer(runs, session, clock), messages(session), newRun.dialog, help);
+  buildTools(clock, theme, help);
+  const loop = loopBar(session, newRun.open);
+  const line = timeline(runs, clock);
+  byId('bar').append(...(mode === 'live' ? [loop] : []), line);
+
+  const replaying = () => clock.replaying;
+  const preset = (/** @type {import('./scene/view-control.js').Preset} */ which) => () => views.forEach((view) => view.preset(which));
+  listenToShortcuts({
+    ' ': () => (replaying() ? line.togglePlay() : session.control && loop.togglePause()),
+    '.': () => (replaying() ? line.frame(1) : session.control && loop.step()),
+    ',': () => replaying() && line.frame(-1), ']': () => replaying() && line.event(1), '[': () => replaying() && line.event(-1),
+    1: preset('top'), 2: preset('side'), 3: preset('follow'), 0: preset('reset'),
+    n: () => session.control && newRun.open(), t: () => theme.click(), '?': () => help.showModal(),
+  });
+  clock.on('time', () => replaying() && replays.forEach((replay) => replay.showTime(clock.time, clock.playing)));
+  clock.on('playing', () => (line.hidden = !replaying()));
+  clock.setReplaying(false);
+  if (mode === 'live') startLive(runs[0], session, clock);
+  else startReplay(runs, session, clock);
+}
+
+/** @param {Clock} clock @param {HTMLElement} theme @param {HTMLDialogElement} help */
+function buildTools(clock, theme, help) {
+  const span = select(SPANS, (value) => clock.setSpan(Number(value)));
+  const savePlots = () => document.querySelectorAll('svg.plot').forEach((svg, k) => {
+    const name = svg.closest('section')?.getAttribute('aria-label')?.toLowerCase().replace(/[^a-z]+/g, '-') ?? 'plot';
+    saveSvg({ svg: /** @type {SVGSVGElement} */ (svg), fileName: `${k + 1}-${name}` });
+  });
+  byId('tools').append(labeled('plots', span), button('Save plots', savePlots, { class: 'quiet', title: 'Save every plot as an SVG file' }),
+    theme, button('? Help', () => help.showModal(), { class: 'quiet' }));
+}
+
+/** A live run that has ended can be replayed. @param {RunState} run @param {Session} session @param {Clock} clock */
+function startLive(run, session, clock) {
+  let ended = false;
+  session.on('loop', () => {
+    const now = session.loop.ended !== null;
+    if (now === ended) return;
+    ended = now;
+    clock.setReplaying(ended);
+    if (ended) clock.seek(clock.range[1]);
+  });
+  followLiveRun(run, session);
+}
+
+/** @param {RunState[]} runs @param {Session} session @param {Clock} clock */
+async function startReplay(runs, session, clock) {
+  try {
+    await Promise.all(runs.map(async (run, index) => {
+      const [info, series] = await Promise.all([fetchInfo(index), fetchSeries(index)]);
+      run.setInfo(info);
+      run.setSeries(series);
+    }));
+  } catch (error) {
+    session.report(/** @type {Error} */ (error).message, 'The run could not be read:');
+  }
+  clock.setReplaying(true);
+  clock.seek(clock.range[0]);
+}
+
+start();

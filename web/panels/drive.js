@@ -1,0 +1,93 @@
+// Taking a body over: keys, buttons on the page and a gamepad give drive commands, which are sent on change only.
+import { DRIVE_KEYS, driveOfGamepad, driveOfKeys, sameDrive } from '../math/drive-command.js';
+import { bodySelect } from './disturbances.js';
+import { button, element, labeled, takesKeys } from './dom.js';
+/** @typedef {import('../state/run-state.js').RunState} RunState */
+/** @typedef {import('../state/session.js').Session} Session */
+
+const GAMEPAD_PERIOD_MS = 50;
+const REST = driveOfKeys([]);
+
+/**
+ * @param {RunState} run @param {Session} session
+ * @returns {{element: HTMLElement, release: () => void}} `release` ends the listening
+ */
+export function driveControls(run, session) {
+  const listening = new AbortController();
+  const bodies = bodySelect(run.info?.bodies ?? 1);
+  /** @type {Set<string>} */
+  const held = new Set();
+  let sent = REST;
+  let padWasUsed = false;
+  const body = () => Number(bodies.value);
+  const takenOver = () => run.snapshot?.bodies[body() - 1]?.manual === true;
+  const pads = element('div', { class: 'drive-keys' }, ...Object.entries(DRIVE_KEYS).map(([code, key]) => holdButton(code, key.words)));
+  const take = button('Take over', () => {
+    releaseKeys();
+    session.intervene({ type: takenOver() ? 'give-back' : 'take-over', body: body() });
+  }, { class: 'primary' });
+  const made = element('fieldset', { class: 'drive' }, element('legend', {}, 'Take over'),
+    element('div', { class: 'row' }, ...(bodies.options.length > 1 ? [labeled('body', bodies)] : []), take), pads,
+    element('p', { class: 'note' }, 'Hold the keys or buttons, or use a gamepad: left stick moves, right stick turns and lifts.'));
+
+  /** @param {import('../math/drive-command.js').Drive} drive */
+  function send(drive) {
+    if (sameDrive(drive, sent)) return;
+    sent = drive;
+    session.intervene({ type: 'drive', body: body(), ...drive });
+  }
+  function sendKeys() {
+    for (const pad of /** @type {Iterable<HTMLElement>} */ (pads.children)) pad.classList.toggle('held', held.has(pad.dataset.code ?? ''));
+    send(driveOfKeys(held));
+  }
+  function releaseKeys() {
+    held.clear();
+    sendKeys();
+  }
+  /** @param {string} code @param {string} words @returns {HTMLButtonElement} */
+  function holdButton(code, words) {
+    const press = (/** @type {boolean} */ down) => {
+      if (down && takenOver()) held.add(code);
+      else held.delete(code);
+      sendKeys();
+    };
+    const isKey = (/** @type {KeyboardEvent} */ event) => event.key === 'Enter' || event.key === ' ';
+    return button(`${code.slice(3)} ${words}`, () => {}, {
+      'data-code': code, onpointerdown: () => press(true), onpointerup: () => press(false), onpointerleave: () => press(false),
+      onkeydown: (event) => isKey(event) && press(true), onkeyup: (event) => isKey(event) && press(false),
+    });
+  }
+  function showTaken() {
+    const taken = takenOver();
+    const words = taken ? 'Give back' : 'Take over';
+    if (take.textContent === words) return;
+    take.textContent = words;
+    made.classList.toggle('taken', taken);
+    for (const pad of pads.querySelectorAll('button')) pad.disabled = !taken;
+    if (!taken) held.clear();
+  }
+  function pollGamepad() {
+    const pad = takenOver() ? navigator.getGamepads?.().find((candidate) => candidate) : null;
+    if (!pad) return;
+    const drive = driveOfGamepad(pad.axes);
+    const atRest = sameDrive(drive, REST);
+    if (!atRest || padWasUsed) send(drive);
+    padWasUsed = !atRest;
+  }
+
+  const { signal } = listening;
+  document.addEventListener('keydown', (event) => {
+    if (!DRIVE_KEYS[event.code] || !takenOver() || takesKeys(event.target) || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    held.add(event.code);
+    sendKeys();
+  }, { signal });
+  document.addEventListener('keyup', (event) => held.delete(event.code) && sendKeys(), { signal });
+  window.addEventListener('blur', releaseKeys, { signal });
+  const timer = setInterval(pollGamepad, GAMEPAD_PERIOD_MS);
+  signal.addEventListener('abort', () => clearInterval(timer));
+  run.on('snapshot', () => signal.aborted || showTaken());
+  take.textContent = '';
+  showTaken();
+  return { element: made, release: () => listening.abort() };
+}

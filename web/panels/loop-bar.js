@@ -1,0 +1,33 @@
+// Bar of a running loop: pause, step, speed, stop, new run.
+import { button, element, labeled, select } from './dom.js';
+/** @typedef {import('../state/session.js').Session} Session */
+
+/** @type {[string, string][]} */
+const SPEEDS = [['0.25', '¼×'], ['0.5', '½×'], ['1', '1×'], ['2', '2×'], ['4', '4×'], ['8', '8×'], ['0', 'as fast as possible']];
+
+/**
+ * @param {Session} session @param {() => void} openNewRun
+ * @returns {HTMLElement & {togglePause: () => void, step: () => void}}
+ */
+export function loopBar(session, openNewRun) {
+  const togglePause = () => session.command({ type: session.loop.paused ? 'resume' : 'pause' });
+  const step = () => session.command({ type: 'step' });
+  const pause = button('Pause', togglePause, { class: 'primary' });
+  const stepButton = button('Step', step, { title: 'One frame (.)' });
+  const speed = select(SPEEDS, (value) => session.command({ type: 'speed', factor: Number(value) }));
+  const stop = button('Stop', () => session.command({ type: 'stop' }));
+  const words = element('span', { class: 'loop-state' });
+  const controls = session.control
+    ? [pause, stepButton, labeled('speed', speed), stop, button('New run…', openNewRun)] : [];
+  session.on('loop', () => {
+    const { paused, ended, speed: factor } = session.loop;
+    pause.textContent = paused ? '▶ Resume' : '❚❚ Pause';
+    for (const control of [pause, stepButton, speed, stop]) control.disabled = ended !== null;
+    if (document.activeElement !== speed) speed.value = String(factor);
+    words.textContent = ended ? `ended: ${ended.status}${ended.reason ? `, ${ended.reason}` : ''}` : paused ? 'paused' : 'running';
+    words.dataset.state = ended ? 'ended' : paused ? 'paused' : 'running';
+  });
+  const bar = element('div', { class: 'loop-bar', role: 'group', 'aria-label': 'Loop' }, ...controls, words);
+  if (!session.control) bar.append(element('span', { class: 'note' }, 'watching only'));
+  return Object.assign(bar, { togglePause, step });
+}

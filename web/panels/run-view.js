@@ -1,0 +1,35 @@
+// All views of one run.
+import { PlotSet } from '../plots/plot-set.js';
+import { cameraPanel } from './camera-panel.js';
+import { controlPanel } from './control.js';
+import { decisionPanel } from './decision.js';
+import { element } from './dom.js';
+import { observabilityPanel } from './observability.js';
+import { scenePanel } from './scene-panel.js';
+import { statusLine } from './status.js';
+/** @typedef {import('../state/clock.js').Clock} Clock */
+/** @typedef {import('../state/run-state.js').RunState} RunState */
+/** @typedef {import('../state/session.js').Session} Session */
+
+/**
+ * @param {RunState} run @param {string} name @param {Session} session @param {Clock} clock
+ */
+export function runView(run, name, session, clock) {
+  const scene = scenePanel(run, name);
+  const camera = cameraPanel(run, name);
+  const plots = new PlotSet(run, clock);
+  const made = element('section', { class: 'run', 'aria-label': `Run ${name}` }, statusLine(run, session),
+    element('div', { class: 'views' }, scene.element, camera.element,
+      element('div', { class: 'side' }, decisionPanel(run), observabilityPanel(run)),
+      ...(session.control ? [controlPanel(run, session)] : [])),
+    plots.element);
+  run.on('info', () => made.classList.toggle('without-camera', run.info !== null && !run.info.camera));
+  return {
+    element: made, preset: scene.preset, scene: scene.view,
+    updateTheme() {
+      scene.updateTheme();
+      camera.redraw();
+      plots.draw();
+    },
+  };
+}

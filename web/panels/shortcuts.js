@@ -1,0 +1,15 @@
+// Keys of the whole page. They do nothing while an input has the focus or a dialog is open.
+import { takesKeys } from './dom.js';
+
+/** @param {Record<string, () => void>} actions by key */
+export function listenToShortcuts(actions) {
+  document.addEventListener('keydown', (event) => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    const onControl = event.target instanceof HTMLElement && event.target.matches('button, summary, input');
+    if (takesKeys(event.target) || (onControl && event.key === ' ') || document.querySelector('dialog[open]')) return;
+    const action = actions[event.key.toLowerCase()];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+}

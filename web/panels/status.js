@@ -1,0 +1,53 @@
+// Status line of one run: tracking state with its reason, counts, and a banner when the run is lost.
+import { element } from './dom.js';
+/** @typedef {import('../state/run-state.js').RunState} RunState */
+/** @typedef {import('../state/session.js').Session} Session */
+
+/** Symbol of each state beside its word and color. @type {Record<string, string>} */
+const SYMBOLS = { starting: '◌', tracking: '●', degraded: '▲', lost: '✖', relocated: '◆' };
+
+/**
+ * @param {RunState} run
+ * @param {Session} session
+ * @returns {HTMLElement}
+ */
+export function statusLine(run, session) {
+  const symbol = element('span', { class: 'symbol', 'aria-hidden': 'true' });
+  const word = element('strong');
+  const badge = element('span', { class: 'badge' }, symbol, word);
+  const reason = element('span', { class: 'reason' });
+  const name = element('span', { class: 'run-name' });
+  const live = session.mode.mode === 'live';
+  const facts = ['time', 'frame', 'landmarks', 'matched', ...(live ? ['dropped', 'viewers'] : [])];
+  const values = Object.fromEntries(facts.map((fact) => [fact, element('dd')]));
+  const list = element('dl', {}, ...facts.map((fact) => element('div', {}, element('dt', {}, fact), values[fact])));
+  const banner = element('p', { class: 'lost-banner', role: 'alert', hidden: true });
+  const line = element('div', { class: 'status' }, name, badge, reason, list);
+
+  function show() {
+    const { snapshot, info } = run;
+    const state = snapshot?.state ?? 'starting';
+    line.dataset.state = state;
+    symbol.textContent = SYMBOLS[state] ?? '●';
+    word.textContent = state;
+    reason.textContent = snapshot?.reason ?? '';
+    reason.title = reason.textContent;
+    name.textContent = info ? `${info.name}, seed ${info.seed}` : '';
+    values.time.textContent = snapshot ? `${snapshot.t.toFixed(2)} s` : '–';
+    values.frame.textContent = snapshot ? `${snapshot.frame}${info?.expected_frames ? ` of ${info.expected_frames}` : ''}` : '–';
+    values.landmarks.textContent = String(snapshot?.landmark_ids?.length ?? snapshot?.landmarks?.length ?? '–');
+    values.matched.textContent = snapshot ? `${snapshot.matched} of ${snapshot.predicted}` : '–';
+    const lost = state === 'lost';
+    if (banner.hidden === lost) {
+      banner.hidden = !lost;
+      banner.textContent = lost ? `Lost: ${snapshot?.reason || 'no reason given'}` : '';
+    }
+    if (!live) return;
+    values.dropped.textContent = String(run.sequence.dropped);
+    values.viewers.textContent = String(session.loop.viewers);
+  }
+  run.on('info snapshot', show);
+  session.on('loop', show);
+  show();
+  return element('div', { class: 'status-block' }, line, banner);
+}

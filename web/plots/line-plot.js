@@ -1,0 +1,165 @@
+// One plot over time as SVG: lines, bands, marks, legend with the values at the time cursor.
+import { decimate, lowerBound } from '../math/decimate.js';
+import { svgElement } from '../panels/dom.js';
+/** @typedef {import('../state/clock.js').Clock} Clock */
+
+/** @typedef {{label: string, color: string, dash?: string, values: number[]}} Line */
+/** @typedef {{low: number[], high: number[], color: string}} Band */
+
+/**
+ * @typedef {object} PlotData
+ * @property {number[]} t
+ * @property {[number, number]} range shown times
+ * @property {Line[]} lines
+ * @property {Band} [band]
+ * @property {number[]} [marks] times of marks along the upper edge
+ * @property {[number, number]} [domain] of y; otherwise what the lines need
+ */
+
+const d3 = /** @type {any} */ (globalThis).d3;
+const MARGIN = { top: 19, right: 8, bottom: 17, left: 42 };
+
+export class LinePlot {
+  /** @type {PlotData | null} */
+  #data = null;
+  #x = d3.scaleLinear();
+
+  /** @param {string} title @param {string} fileName @param {Clock} clock @param {string} [about] for screen readers and as a tooltip */
+  constructor(title, fileName, clock, about = title) {
+    this.title = title;
+    this.fileName = fileName;
+    this.clock = clock;
+    this.svg = /** @type {SVGSVGElement} */ (svgElement('svg', { class: 'plot', role: 'img', 'aria-label': about }));
+    this.root = d3.select(this.svg);
+    this.root.append('title').text(about);
+    this.bandPath = this.root.append('path').attr('class', 'band');
+    this.axisX = this.root.append('g').attr('class', 'axis');
+    this.axisY = this.root.append('g').attr('class', 'axis');
+    this.marks = this.root.append('path').attr('class', 'marks');
+    this.lines = this.root.append('g').attr('class', 'lines');
+    this.cursor = this.root.append('line').attr('class', 'cursor');
+    this.legend = this.root.append('text').attr('class', 'plot-title').attr('x', 2).attr('y', 11);
+    this.svg.addEventListener('pointermove', (event) => clock.setCursor(this.#timeAt(event)));
+    this.svg.addEventListener('pointerleave', () => clock.setCursor(NaN));
+    this.svg.addEventListener('click', (event) => clock.replaying && clock.seek(this.#timeAt(event)));
+  }
+
+  /** @param {PlotData} data */
+  draw(data) {
+    this.#data = data;
+    const { clientWidth: width, clientHeight: height } = /** @type {Element} */ (this.svg.parentElement);
+    if (width < 60 || height < 40) return;
+    this.root.attr('viewBox', `0 0 ${width} ${height}`).attr('width', width).attr('height', height);
+    const columns = width - MARGIN.left - MARGIN.right;
+    this.#x.domain(data.range).range([MARGIN.left, width - MARGIN.right]);
+    const kept = data.lines.map((line) => decimate(data.t, line.values, data.range[0], data.range[1], columns));
+    const y = d3.scaleLinear().domain(data.domain ?? domainOf(data.lines, kept)).range([height - MARGIN.bottom, MARGIN.top]);
+    this.#drawAxes(y, columns, height);
+    this.#drawBand(y, columns);
+    this.#drawLines(y, kept);
+    this.#drawMarks(data.marks ?? []);
+    this.drawCursor();
+  }
+
+  /** Moves the cursor and writes the values at its time. */
+  drawCursor() {
+    const data = this.#data;
+    if (!data) return;
+    const hovered = Number.isFinite(this.clock.cursor);
+    const time = hovered ? this.clock.cursor : this.clock.replaying ? this.clock.time : data.t[data.t.length - 1];
+    const inside = time >= data.range[0] && time <= data.range[1] && (hovered || this.clock.replaying);
+    const x = this.#x(time);
+    this.cursor.attr('visibility', inside ? 'visible' : 'hidden').attr('x1', x).attr('x2', x)
+      .attr('y1', MARGIN.top).attr('y2', Number(this.root.attr('height')) - MARGIN.bottom);
+    const index = Math.min(data.t.length - 1, Math.max(0, lowerBound(data.t, time + 1e-9) - 1));
+    const spans = [{ text: this.title, color: '--muted', bold: true },
+      ...data.lines.map((line) => ({ text: `${line.label} ${shortNumber(line.values[index])}`, color: line.color, bold: false }))];
+    this.legend.selectAll('tspan').data(spans).join('tspan')
+      .attr('dx', (/** @type {any} */ _, /** @type {number} */ k) => (k ? 7 : 0))
+      .attr('class', (/** @type {any} */ span) => (span.bold ? 'title' : 'value'))
+      .style('fill', (/** @type {any} */ span) => `var(${span.color})`).text((/** @type {any} */ span) => span.text);
+  }
+
+  /** @param {any} y @param {number} columns @param {number} height */
+  #drawAxes(y, columns, height) {
+    const ticksY = Math.max(2, Math.floor((height - MARGIN.top - MARGIN.bottom) / 28));
+    this.axisX.attr('transform', `translate(0,${height - MARGIN.bottom})`)
+      .call(d3.axisBottom(this.#x).ticks(Math.max(2, columns / 70)).tickSize(3).tickPadding(2)
+        .tickFormat((/** @type {number} */ t) => `${t} s`));
+    this.axisY.attr('transform', `translate(${MARGIN.left},0)`)
+      .call(d3.axisLeft(y).ticks(ticksY).tickSize(-columns).tickPadding(4).tickFormat(shortNumber));
+  }
+
+  /** @param {any} y @param {number} columns */
+  #drawBand(y, columns) {
+    const { t, band, range } = /** @type {PlotData} */ (this.#data);
+    if (!band) {
+      this.bandPath.attr('d', null);
+      return;
+    }
+    const kept = [...new Set([...decimate(t, band.high, ...range, columns), ...decimate(t, band.low, ...range, columns)])].sort((a, b) => a - b);
+    const [bottom, top] = y.range();
+    const inside = (/** @type {number} */ value) => Math.min(bottom, Math.max(top, y(value)));
+    const area = d3.area().defined((/** @type {number} */ i) => Number.isFinite(band.low[i]) && Number.isFinite(band.high[i]))
+      .x((/** @type {number} */ i) => this.#clampX(t[i])).y0((/** @type {number} */ i) => inside(band.low[i]))
+      .y1((/** @type {number} */ i) => inside(band.high[i]));
+    this.bandPath.attr('d', area(kept)).style('fill', `var(${band.color})`).style('stroke', `var(${band.color})`);
+  }
+
+  /** @param {any} y @param {number[][]} kept */
+  #drawLines(y, kept) {
+    const { t, lines } = /** @type {PlotData} */ (this.#data);
+    const [bottom, top] = y.range();
+    const path = (/** @type {Line} */ line, /** @type {number} */ k) => d3.line()
+      .defined((/** @type {number} */ i) => Number.isFinite(line.values[i])).x((/** @type {number} */ i) => this.#clampX(t[i]))
+      .y((/** @type {number} */ i) => Math.min(bottom, Math.max(top, y(line.values[i]))))(kept[k]);
+    this.lines.selectAll('path').data(lines).join('path').attr('d', path)
+      .attr('stroke-dasharray', (/** @type {Line} */ line) => line.dash ?? null)
+      .style('stroke', (/** @type {Line} */ line) => `var(${line.color})`);
+  }
+
+  /** Short strokes along the upper edge, one per pixel at most. @param {number[]} times */
+  #drawMarks(times) {
+    const { range } = /** @type {PlotData} */ (this.#data);
+    const shown = times.filter((t) => t >= range[0] && t <= range[1]).map((t) => Math.round(this.#x(t)));
+    this.marks.attr('d', [...new Set(shown)].map((x) => `M${x} ${MARGIN.top}v5`).join(''));
+  }
+
+  /** @param {number} t */
+  #clampX(t) {
+    const [left, right] = this.#x.range();
+    return Math.min(right, Math.max(left, this.#x(t)));
+  }
+
+  /** @param {PointerEvent | MouseEvent} event @returns {number} */
+  #timeAt(event) {
+    const box = this.svg.getBoundingClientRect();
+    const [low, high] = this.#x.domain();
+    return Math.min(high, Math.max(low, this.#x.invert(event.clientX - box.left)));
+  }
+}
+
+/** @param {Line[]} lines @param {number[][]} kept @returns {[number, number]} */
+function domainOf(lines, kept) {
+  let [low, high] = [Infinity, -Infinity];
+  lines.forEach((line, k) => {
+    for (const i of kept[k]) {
+      const value = line.values[i];
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  });
+  if (low > high) return [0, 1];
+  const pad = 0.06 * (high - low) || 0.5;
+  return [low - pad, high + pad];
+}
+
+/** @param {number} value @returns {string} at most about 5 characters; – where unknown */
+export function shortNumber(value) {
+  if (!Number.isFinite(value)) return '–';
+  const size = Math.abs(value);
+  if (size === 0) return '0';
+  const text = size >= 99.5 ? value.toFixed(0) : size >= 9.95 ? value.toFixed(1) : size >= 0.995 ? value.toFixed(2)
+    : size >= 0.000995 ? value.toFixed(4) : value.toExponential(0);
+  return (text.includes('.') && !text.includes('e') ? text.replace(/\.?0+$/, '') : text).replace('-', '−');
+}

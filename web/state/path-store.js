@@ -1,0 +1,35 @@
+// Positions of one body over time, estimated or true: in order of time, gaps where the position is unknown.
+import { lowerBound } from '../math/decimate.js';
+/** @typedef {import('./types.js').Vector} Vector */
+
+export class PathStore {
+  /** @type {number[]} */
+  t = [];
+  /** @type {number[]} x y z each; NaN in gaps */
+  xyz = [];
+  /** Changes when earlier positions change; appending leaves it as it is. */
+  version = 0;
+
+  /** @param {ArrayLike<number>} t @param {(number[] | null)[]} positions */
+  assign(t, positions) {
+    this.t = Array.from(t);
+    this.xyz = positions.flatMap((position) => position ?? [NaN, NaN, NaN]);
+    ++this.version;
+  }
+
+  /** @param {number} t @param {Vector | undefined} position */
+  add(t, position) {
+    const place = lowerBound(this.t, t - 1e-9);
+    const known = place < this.t.length && Math.abs(this.t[place] - t) < 1e-9;
+    if (known || (!position && this.t.length === 0)) return;
+    const xyz = position ? [position.x, position.y, position.z] : [NaN, NaN, NaN];
+    if (place < this.t.length) ++this.version;
+    this.t.splice(place, 0, t);
+    this.xyz.splice(3 * place, 0, ...xyz);
+  }
+
+  /** @param {number} t @returns {number} number of positions up to `t` */
+  countUntil(t) {
+    return lowerBound(this.t, t + 1e-9);
+  }
+}

@@ -1,0 +1,108 @@
+// State of one run as the page knows it. Sources write it, views read it.
+import { SequenceMonitor } from '../math/sequence.js';
+import { Emitter } from './emitter.js';
+import { LiveEvents } from './live-events.js';
+import { PathStore } from './path-store.js';
+import { Series } from './series.js';
+/** @typedef {import('./types.js').Info} Info */
+/** @typedef {import('./types.js').Observability} Observability */
+/** @typedef {import('./types.js').RunEvent} RunEvent */
+/** @typedef {import('./types.js').SeriesMessage} SeriesMessage */
+/** @typedef {import('./types.js').Snapshot} Snapshot */
+
+/** Snapshots kept until the image of their frame arrives. */
+const RECENT_SNAPSHOTS = 40;
+
+/** Emits `info`, `series`, `snapshot`, `image` and `observability`. */
+export class RunState extends Emitter {
+  sequence = new SequenceMonitor();
+
+  constructor() {
+    super();
+    this.reset();
+  }
+
+  /** Forgets everything, for a new run. */
+  reset() {
+    /** @type {Info | null} */
+    this.info = null;
+    this.series = new Series();
+    /** @type {RunEvent[]} in order of frames */
+    this.events = [];
+    /** @type {Snapshot | null} the shown frame */
+    this.snapshot = null;
+    /** @type {Map<number, Snapshot>} by frame */
+    this.recent = new Map();
+    /** @type {{frame: number, jpeg: Blob} | null} */
+    this.image = null;
+    /** @type {Observability | null} */
+    this.observability = null;
+    /** @type {{estimate: PathStore, truth: PathStore}[]} one per body */
+    this.paths = [];
+    this.liveEvents = new LiveEvents();
+    this.sequence.restart();
+    for (const name of ['info', 'series', 'snapshot', 'image', 'observability']) this.emit(name);
+  }
+
+  /** @param {Info} info */
+  setInfo(info) {
+    this.info = info;
+    this.paths = Array.from({ length: info.bodies }, () => ({ estimate: new PathStore(), truth: new PathStore() }));
+    this.emit('info');
+  }
+
+  /** @param {SeriesMessage} message */
+  setSeries(message) {
+    this.series.assign(message);
+    this.events = message.events;
+    message.paths?.forEach((path, body) => {
+      this.paths[body]?.estimate.assign(message.t, path.estimate);
+      if (path.truth) this.paths[body]?.truth.assign(message.t, path.truth);
+    });
+    this.emit('series');
+  }
+
+  /**
+   * A new frame of a live run.
+   * @param {Snapshot} snapshot
+   * @param {Record<string, number | null>} row @param {Record<string, number | null>} timing
+   */
+  appendSnapshot(snapshot, row, timing) {
+    const last = this.events[this.events.length - 1];
+    const events = this.liveEvents.of(snapshot);
+    if (!last || snapshot.frame > last.frame) this.events.push(...events);
+    this.series.append(snapshot.t, snapshot.frame, snapshot.state, row, timing);
+    this.emit('series');
+    this.#show(snapshot);
+  }
+
+  /** A frame of a finished run. @param {Snapshot} snapshot */
+  showSnapshot(snapshot) {
+    this.#show(snapshot);
+  }
+
+  /** @param {Snapshot} snapshot */
+  #show(snapshot) {
+    this.snapshot = snapshot;
+    this.recent.set(snapshot.frame, snapshot);
+    const oldest = this.recent.keys().next().value;
+    if (this.recent.size > RECENT_SNAPSHOTS && oldest !== undefined) this.recent.delete(oldest);
+    snapshot.bodies.forEach((body, index) => {
+      this.paths[index]?.estimate.add(snapshot.t, body.position);
+      this.paths[index]?.truth.add(snapshot.t, body.truth?.position);
+    });
+    this.emit('snapshot');
+  }
+
+  /** @param {number} frame @param {Blob} jpeg */
+  setImage(frame, jpeg) {
+    this.image = { frame, jpeg };
+    this.emit('image');
+  }
+
+  /** @param {Observability} message */
+  setObservability(message) {
+    this.observability = message;
+    this.emit('observability');
+  }
+}

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "incognita/report/csv_table.hpp"
+#include "incognita/record/files/csv_table.hpp"
 #include "incognita/report/figure_style.hpp"
 #include "incognita/report/gnuplot.hpp"
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "incognita/messages/errors.hpp"
-#include "incognita/report/csv_table.hpp"
+#include "incognita/record/files/csv_table.hpp"
 #include "tests/record/file_size_limit.hpp"
 #include "tests/scratch.hpp"
 

@@ -1,4 +1,4 @@
-#include "incognita/report/csv_table.hpp"
+#include "incognita/record/files/csv_table.hpp"
 
 #include <algorithm>
 #include <fstream>

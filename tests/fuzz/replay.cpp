@@ -7,7 +7,7 @@
 #include <string>
 
 #include "incognita/math/random.hpp"
-#include "tests/fuzz/system_fuzz.hpp"
+#include "tests/fuzz/fuzz_target.hpp"
 #include "tests/io/damage.hpp"
 #include "tests/scratch.hpp"
 

@@ -6,10 +6,13 @@ if(INCOGNITA_SANITIZE)
 else()
   set(slowness 1)
 endif()
-target_compile_definitions(system_replay_test PRIVATE INCOGNITA_SLOWNESS=${slowness})  # how much longer it may take
+incognita_test(run_replay_test SOURCES fuzz/run_replay.cpp fuzz/run_fuzz.cpp USES incognita::record)
+foreach(replay system_replay_test run_replay_test)
+  target_compile_definitions(${replay} PRIVATE INCOGNITA_SLOWNESS=${slowness})  # how much longer it may take
+endforeach()
 
-# fuzz/system_fuzz.cpp describes the build with clang
-option(INCOGNITA_FUZZ "Build the fuzz target (clang, with INCOGNITA_SANITIZE=fuzzer-no-link,address,undefined)" OFF)
+# fuzz/system_fuzz.cpp and run_fuzz.cpp describe the build with clang
+option(INCOGNITA_FUZZ "Build the fuzz targets (clang, with INCOGNITA_SANITIZE=fuzzer-no-link,address,undefined)" OFF)
 if(INCOGNITA_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang OR NOT INCOGNITA_SANITIZE MATCHES fuzzer-no-link)
     message(FATAL_ERROR "INCOGNITA_FUZZ needs -DCMAKE_CXX_COMPILER=clang++ and "
@@ -17,5 +20,9 @@ if(INCOGNITA_FUZZ)
   endif()
   add_executable(system_fuzz fuzz/system_fuzz.cpp)
   target_link_libraries(system_fuzz PRIVATE incognita::systems incognita::io PkgConfig::GINAC)
-  target_link_options(system_fuzz PRIVATE -fsanitize=fuzzer)
+  add_executable(run_fuzz fuzz/run_fuzz.cpp)
+  target_link_libraries(run_fuzz PRIVATE incognita::record)
+  foreach(target system_fuzz run_fuzz)
+    target_link_options(${target} PRIVATE -fsanitize=fuzzer)
+  endforeach()
 endif()

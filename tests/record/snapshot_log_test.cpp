@@ -398,7 +398,12 @@ TEST(Base64, FollowsTheRfc) {
                                                        {"fooba", "Zm9vYmE="},
                                                        {"foobar", "Zm9vYmFy"},
                                                        {"\xff\xfe\xfd", "//79"}};
-  for (const auto& [bytes, text] : known) EXPECT_EQ(base64(bytes), text);
+  for (const auto& [bytes, text] : known) {
+    EXPECT_EQ(base64(bytes), text);
+    EXPECT_EQ(from_base64(text), bytes);
+  }
+  for (const char* other : {"Zg", "Zg=", "Z===", "====", "Zm9v\n", "Zm 9", "Zm9v*===", "=Zm9", "Zg==Zg=="})
+    EXPECT_FALSE(from_base64(other)) << other;
 }
 
 }  // namespace

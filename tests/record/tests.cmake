@@ -5,6 +5,10 @@ incognita_test(record_test SOURCES record/consistency_summary_test.cpp record/ma
                USES incognita::record nlohmann_json::nlohmann_json PkgConfig::MATIO)
 incognita_test(mcap_test SOURCES record/mcap_file_test.cpp record/mcap_reader.cpp record/snapshot_log_test.cpp
                USES incognita::record nlohmann_json::nlohmann_json opencv_core opencv_imgcodecs)
+incognita_test(replay_test SOURCES record/mcap_index_test.cpp record/mcap_reader.cpp record/recorded_events_test.cpp
+                                   record/recorded_run_test.cpp
+               USES incognita::record nlohmann_json::nlohmann_json)
+incognita_test(damaged_run_test SOURCES record/damaged_run_test.cpp USES incognita::app nlohmann_json::nlohmann_json)
 incognita_test(pictures_test SOURCES record/frame_pictures_test.cpp
                USES incognita::pictures opencv_core opencv_imgcodecs)
 add_test(NAME mcap.reference_reader COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/record/mcap/check

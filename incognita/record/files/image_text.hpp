@@ -1,6 +1,7 @@
 // Images encoded as short text, to be embedded in JSON.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,5 +14,7 @@ std::string jpeg(const Image& image);
 
 /// RFC 4648, with padding.
 std::string base64(std::string_view bytes);
+/// The bytes of such a text; nothing if it is not one.
+std::optional<std::string> from_base64(std::string_view text);
 
 }  // namespace incognita

@@ -110,6 +110,7 @@ void PageChannel::send_state() { send_to_all(message(json_of(state_, viewers_.si
 
 void PageChannel::set_state(const LiveState& state) {
   server_->post([this, state] {
+    if (state_ == state) return;
     state_ = state;
     send_state();
   });

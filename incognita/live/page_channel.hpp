@@ -22,6 +22,8 @@ struct LiveState {
   bool running = false, paused = false;
   double speed = 1;
   std::string ended_status, ended_reason;  ///< after the end of a run
+
+  bool operator==(const LiveState&) const = default;
 };
 
 class PageChannel final : public ViewerProtocol {

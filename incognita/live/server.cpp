@@ -357,9 +357,10 @@ std::string_view HttpRequest::parameter(std::string_view name) const {
   return found == query.end() ? std::string_view{} : found->second;
 }
 
-Server::Server(ServerSettings settings, ServerHandlers handlers)
+Server::Server(ServerSettings settings, ServerHandlers handlers, const std::function<void(Server&)>& ready)
     : implementation_(std::make_unique<Implementation>(std::move(settings), std::move(handlers))) {
   implementation_->listen();
+  if (ready) ready(*this);
   implementation_->thread = std::thread([this] { implementation_->context.run(); });
 }
 

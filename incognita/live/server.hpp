@@ -71,8 +71,9 @@ struct ServerHandlers {
 
 class Server {
  public:
-  /// Listens and starts the thread. Throws InputError if the address cannot be used.
-  Server(ServerSettings settings, ServerHandlers handlers);
+  /// Listens, and starts the thread after `ready`, which may keep the server for post(). Throws InputError if the
+  /// address cannot be used.
+  Server(ServerSettings settings, ServerHandlers handlers, const std::function<void(Server&)>& ready = {});
   /// Disconnects all viewers and ends the thread.
   ~Server();
   Server(const Server&) = delete;

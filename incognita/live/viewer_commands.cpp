@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "incognita/messages/errors.hpp"
+#include "incognita/record/replay/json_limits.hpp"
 #include "incognita/record/snapshot/interventions.hpp"
 
 namespace incognita {
@@ -42,6 +43,7 @@ StartRun start_of(const Json& json) {
 }  // namespace
 
 ViewerCommand viewer_command(std::string_view text) {
+  if (json_depth(text) > most_json_depth) throw InputError("message: is nested too deep");
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) throw InputError("message: must be a JSON object");
   const std::string type = text_of(json, "type");

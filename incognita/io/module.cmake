@@ -7,10 +7,10 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET GLOBAL matio)
 pkg_check_modules(YAML_CPP REQUIRED IMPORTED_TARGET GLOBAL yaml-cpp)
 
-# incognita_embed(FOLDER FUNCTION PATTERN...): files of the project's FOLDER, built into the program so that it runs
+# incognita_embed(FOLDER FUNCTION PATTERN...): files of FOLDER (absolute), built into the program so that it runs
 # from any folder, and listed by FUNCTION. Adds the source to embedded_sources.
 function(incognita_embed folder function)
-  set(root ${PROJECT_SOURCE_DIR}/${folder})
+  set(root ${folder})
   list(TRANSFORM ARGN PREPEND ${root}/ OUTPUT_VARIABLE patterns)
   file(GLOB names RELATIVE ${root} CONFIGURE_DEPENDS ${patterns})
   list(TRANSFORM names PREPEND ${root}/ OUTPUT_VARIABLE paths)
@@ -20,14 +20,14 @@ function(incognita_embed folder function)
     COMMAND ${CMAKE_COMMAND} -DROOT=${root} "-DFILES=${names}" -DFUNCTION=${function} -DOUT=${source}
             -P ${CMAKE_CURRENT_SOURCE_DIR}/io/embed.cmake
     DEPENDS ${paths} ${CMAKE_CURRENT_SOURCE_DIR}/io/embed.cmake
-    COMMENT "Building in ${folder}/"
+    COMMENT "Building in ${function}"
     VERBATIM)
   set(embedded_sources ${embedded_sources} ${source} PARENT_SCOPE)
 endfunction()
 
 file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/io)
-incognita_embed(scenarios embedded_files *.toml targets/*.toml targets/*.pgm)
-incognita_embed(systems embedded_systems *.toml)
+incognita_embed(${PROJECT_SOURCE_DIR}/scenarios embedded_files *.toml targets/*.toml targets/*.pgm)
+incognita_embed(${PROJECT_SOURCE_DIR}/systems embedded_systems *.toml)
 
 incognita_module(io FOLDERS io/formats io/scenario io/recordings SOURCES ${embedded_sources}
                  USES incognita::models incognita::messages incognita::analysis

@@ -11,6 +11,7 @@
 
 #include "incognita/app/console/print_message.hpp"
 #include "incognita/app/loop/assembly.hpp"
+#include "incognita/app/view/settings_json.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/recordings/camera_of_recording.hpp"
 #include "incognita/io/recordings/recorded_images.hpp"
@@ -32,40 +33,9 @@ struct Options {
   bool json = false;
 };
 
-struct AsJson {
-  nlohmann::json operator()(const TomlArray& items) const {
-    nlohmann::json list = nlohmann::json::array();
-    for (const TomlValue& item : items) list.push_back(std::visit(*this, item.value));
-    return list;
-  }
-  nlohmann::json operator()(const TomlTable&) const { return nullptr; }  // no setting is a table or a date
-  nlohmann::json operator()(const TomlDate&) const { return nullptr; }
-  nlohmann::json operator()(const auto& value) const { return value; }
-};
-
-nlohmann::json as_json(const SettingInForce& setting) {
-  return {{"key", setting.key},
-          {"value", std::visit(AsJson{}, value_of_toml(setting.value).value)},
-          {"unit", setting.unit},
-          {"default", std::visit(AsJson{}, value_of_toml(setting.default_value).value)},
-          {"source", setting.source},
-          {"allowed", setting.allowed},
-          {"help", setting.help}};
-}
-
 void print_json(const nlohmann::json& document) {
   // File names may not be UTF-8; a replaced character is better than an exception.
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
-}
-
-nlohmann::json as_json(const LoadedScenario& loaded, const std::vector<std::string>& checked) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const SettingInForce& setting : loaded.settings) list.push_back(as_json(setting));
-  return {{"scenario", loaded.name},
-          {"file", shown(loaded.file)},
-          {"settings", list},
-          {"overrides", loaded.overrides},
-          {"checked", checked}};
 }
 
 /// Two lines: value, default and source; the meaning.
@@ -92,7 +62,7 @@ void print_all(bool json) {
   std::string section;
   for (const CatalogedSetting& cataloged : all_settings()) {
     if (json) {
-      list.push_back(as_json(cataloged.setting));
+      list.push_back(nlohmann::json::parse(setting_json(cataloged.setting)));
       list.back().erase("value");
       list.back().erase("source");
       list.back()["with"] = needs_of(cataloged);
@@ -159,7 +129,7 @@ int run_config(const Options& options) {
   for (const std::string& line : loaded.overrides) print_message("{}\n", line);
   const std::vector<std::string> checked = options.check ? check(loaded) : std::vector<std::string>{};
   if (options.json) {
-    print_json(as_json(loaded, checked));
+    std::cout << scenario_json(loaded, checked, 2) << "\n";
   } else if (options.check) {
     for (const std::string& line : checked) std::cout << line << "\n";
     std::cout << fmt::format("{}: valid\n", loaded.name);

@@ -15,14 +15,15 @@
 #include <thread>
 #include <vector>
 
-#include "incognita/app/console/folder_lock.hpp"
+#include "incognita/app/commands/page_options.hpp"
+#include "incognita/app/commands/recorder_sink.hpp"
 #include "incognita/app/console/print_message.hpp"
-#include "incognita/app/console/progress.hpp"
+#include "incognita/app/loop/intervention_log.hpp"
 #include "incognita/app/loop/scenario_run.hpp"
+#include "incognita/app/view/live_page.hpp"
+#include "incognita/io/formats/files.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/frame_pictures.hpp"
-#include "incognita/record/recorder.hpp"
-#include "incognita/report/run_figures.hpp"
+#include "incognita/record/snapshot/interventions.hpp"
 
 namespace incognita {
 namespace {
@@ -32,9 +33,13 @@ struct Options {
   std::optional<std::string> out;
   std::vector<std::string> sets;
   std::optional<std::string> seed, duration_s;  // parsed by the setting
+  bool scenario_given = false;
   bool realtime = false;
   bool save_frames = false;
   bool no_figures = false;
+  std::vector<std::string> view;  // the port, if the page is wanted
+  PageOptions page;
+  std::optional<std::string> replay_commands;
 };
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -48,33 +53,14 @@ void handle_signals() {
   std::signal(SIGXFSZ, SIG_IGN);  // makes a full disk a reported error
 }
 
-LoadedScenario load(const Options& options) {
+LoadedScenario load(const Options& options, const std::vector<std::string>& further = {}) {
+  std::vector<std::string> sets = options.sets;
+  sets.insert(sets.end(), further.begin(), further.end());
   std::vector<Flag> flags;
   if (options.seed) flags.push_back({"run.seed", *options.seed, "--seed"});
   if (options.duration_s) flags.push_back({"run.duration_s", *options.duration_s, "--duration"});
-  return load_scenario(options.scenario, options.sets, flags);
+  return load_scenario(options.scenario, sets, flags);
 }
-
-/// Reports loss and recovery of tracking, and the instructions to an operator, on standard error.
-class StateReporter {
- public:
-  void report(const Snapshot& s) {
-    const bool is_lost = s.status.state == TrackingState::lost;
-    if (is_lost && !was_lost_) print_message("t = {:.3f} s: lost: {}\n", s.tick.t, s.status.reason);
-    if (!is_lost && was_lost_)
-      print_message("t = {:.3f} s: {}: {}\n", s.tick.t, name(s.status.state), s.status.reason);
-    was_lost_ = is_lost;
-    for (std::size_t i = 0; i < s.bodies.size(); ++i) {
-      const SnapshotDecision& decision = s.bodies[i].decision;
-      if (!s.bodies[i].operator_controlled || !decision.decided || decision.chosen < 0) continue;
-      const std::string who = s.bodies.size() > 1 ? fmt::format("operator {}: ", i + 1) : "";
-      print_message("t = {:.2f} s: {}{}\n", s.tick.t, who, chosen_action(decision));
-    }
-  }
-
- private:
-  bool was_lost_ = false;
-};
 
 /// Sleeps in short intervals, so that an interrupt is handled soon even at a low frame rate.
 void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
@@ -87,81 +73,61 @@ void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
   }
 }
 
-/// Writes the run directory, with pictures if requested, and reports progress on standard error.
-class RecorderSink : public RunSink {
- public:
-  /// `frame_done` is called at the end of every frame.
-  RecorderSink(const std::string& out, const Options& options, const RunInfo& info, std::int64_t frames,
-               std::function<void()> frame_done)
-      : frame_done_(std::move(frame_done)),
-        figures_(!options.no_figures),
-        alignment_(alignment_kind(info.ate_alignment).value_or(AlignmentKind::none)),
-        lock_(out),
-        recorder_(out, info),
-        progress_(frames) {
-    for (const std::string& warning : info.warnings) print_message("warning: {}\n", warning);
-    if (options.save_frames) pictures_.emplace(recorder_.path(), info.patch_size_px);
-  }
-
-  void publish(const Snapshot& s) override {
-    recorder_.publish(s);
-    if (pictures_) pictures_->publish(s);
-    progress_->show(s.tick.frame + 1, fmt::format("{}, {} matched, {} landmarks", name(s.status.state),
-                                                  s.matched, s.landmarks.size()));
-    reporter_.report(s);
-    frame_done_();
-  }
-
-  void note(const ObservabilityReport& report, const std::vector<std::string>& in_words) override {
-    progress_.reset();
-    recorder_.note(report);
-    for (const std::string& line : in_words) print_message("{}\n", line);
-  }
-
-  void note(const std::string& key, const SummaryValue& value) override { recorder_.note(key, value); }
-
-  RunOutcome finish(RunStatus status, const std::string& reason,
-                    const std::vector<std::string>& warnings) override {
-    progress_.reset();  // removes the progress line
-    const auto finishing = [&](const std::filesystem::path& directory) {
-      std::vector<std::string> all = warnings;
-      if (!figures_) return all;
-      for (std::string& warning : draw_run_figures(directory, alignment_)) {
-        print_message("{}\n", warning);
-        all.push_back(std::move(warning));
-      }
-      return all;
-    };
-    for (const std::string& warning : warnings) print_message("{}\n", warning);
-    return recorder_.finish(status, reason, finishing);
-  }
-
- private:
-  std::function<void()> frame_done_;
-  bool figures_;
-  AlignmentKind alignment_;
-  FolderLock lock_;  ///< acquired before any file of an earlier run is changed
-  Recorder recorder_;
-  std::optional<FramePictures> pictures_;
-  std::optional<Progress> progress_;
-  StateReporter reporter_;
-};
-
 void refuse_pictures_without_images(const Scenario& scenario) {
   if (scenario.is_team()) throw InputError("--save-frames: there are no images with world.type = points");
   if (scenario.sensor.type != "camera")
     throw InputError("--save-frames: there are no images with sensor.type = range-bearing");
 }
 
-int run(const Options& options) {
-  std::signal(SIGPIPE, SIG_IGN);  // a closed output pipe must not end the run
+/// Repeats the interventions of an earlier run at their ticks.
+class LoggedInterventions final : public InterventionSource {
+ public:
+  LoggedInterventions(const std::string& run, const Options& options)
+      : log_(read_intervention_log(std::filesystem::path(run))), options_(options) {}
+
+  std::vector<Intervention> due(const Tick& tick) override {
+    std::vector<Intervention> now;
+    while (next_ < log_.size() && log_[next_].frame <= tick.frame) now.push_back(log_[next_++].intervention);
+    return now;
+  }
+  void refused(const Intervention& intervention, const std::string& why) override {
+    throw InputError(fmt::format("--replay-commands: {}: {}", name(intervention), why));
+  }
+  LoadedScenario reloaded(const std::vector<std::string>& settings) override {
+    return load(options_, settings);
+  }
+
+ private:
+  std::vector<LoggedIntervention> log_;
+  Options options_;
+  std::size_t next_ = 0;
+};
+
+void check(const Options& options) {
   if (options.scenario.empty())
     throw InputError("the scenario is empty; a file or the name of a built-in one is required");
   if (options.out && options.out->empty()) throw InputError("--out: is empty; a folder is required");
-  const LoadedScenario loaded = load(options);
+  if (options.replay_commands && !options.view.empty())
+    throw InputError("--replay-commands and --view: only one of them at a time");
+}
+
+/// With the commands of an earlier run, its settings are the scenario unless another is given.
+void take_scenario_of_replayed(Options& options) {
+  if (!options.replay_commands || options.scenario_given) return;
+  const std::filesystem::path settings = std::filesystem::path(*options.replay_commands) / "effective.toml";
+  if (!file_exists(settings))
+    throw InputError(
+        fmt::format("--replay-commands: {} is missing; name a run directory", settings.string()));
+  options.scenario = settings.string();
+}
+
+/// One run from its start to its end. `page`: null without one.
+RunOutcome run_once(const Options& options, const LoadedScenario& loaded, const std::string& out,
+                    LivePage* page) {
   for (const std::string& line : loaded.overrides) print_message("{}\n", line);
   if (options.save_frames) refuse_pictures_without_images(loaded.scenario);
-  const std::string out = options.out.value_or("out/" + loaded.name);
+  std::optional<LoggedInterventions> logged;
+  if (options.replay_commands) logged.emplace(*options.replay_commands, options);
   std::optional<double> first_t;
   std::chrono::steady_clock::time_point start;
   double wall_s = 0;
@@ -169,21 +135,85 @@ int run(const Options& options) {
   callbacks.report = [](const std::string& line) { print_message("{}\n", line); };
   callbacks.keep_going = [&](const Tick& tick) {
     if (!first_t) first_t = tick.t, start = std::chrono::steady_clock::now();
+    if (page) return page->control().wait_for(tick);
     if (options.realtime) wait_until(start, tick.t - *first_t);
     return !interrupted;
   };
+  if (logged) callbacks.interventions = &*logged;
+  if (page) {
+    callbacks.interventions = page;
+    callbacks.observe = [page](const ObservabilityWatch& watch) { page->observe(watch); };
+  }
+  const auto frame_done = [&](const Snapshot& snapshot) {
+    if (page) page->publish(snapshot);
+    wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
   const SinkFactory open = [&](const RunInfo& info, std::int64_t frames) {
     handle_signals();
-    return std::make_unique<RecorderSink>(out, options, info, frames, [&] {
-      wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    });
+    auto sink = std::make_unique<RecorderSink>(
+        RecorderSink::Options{out, options.save_frames, !options.no_figures, frame_done}, info, frames);
+    if (page) page->begin(info, frames);
+    return sink;
   };
   const RunOutcome outcome = run_scenario(loaded, open, callbacks);
   if (outcome.status != RunStatus::done)
     print_message("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ",
                   outcome.reason, out);
   std::fputs(in_words(outcome.report, wall_s, out).c_str(), stdout);
-  return outcome.status == RunStatus::done ? 0 : 1;
+  std::fflush(stdout);
+  return outcome;
+}
+
+int exit_code(const RunOutcome& outcome) { return outcome.status == RunStatus::done ? 0 : 1; }
+
+/// Folders of the runs that are started from the page: out/room, out/room-2, ...
+std::string next_folder(const std::string& out, int run) {
+  return run == 1 ? out : fmt::format("{}-{}", out, run);
+}
+
+/// Runs until the program is interrupted; each run after the first is started from the page.
+int run_with_page(Options options) {
+  handle_signals();
+  LivePage page(server_settings(options.page), [] { return interrupted != 0; });
+  print_message("the page is at {}\n", page.address());
+  open_in_browser(page.address());
+  LoadedScenario loaded = load(options);
+  const std::string out = options.out.value_or("out/" + loaded.name);
+  int code = 0;
+  for (int run = 1;; ++run) {
+    try {
+      const std::string folder = next_folder(out, run);
+      page.prepare(
+          loaded, [options](const std::vector<std::string>& settings) { return load(options, settings); },
+          folder);
+      const RunOutcome outcome = run_once(options, loaded, folder, &page);
+      code = exit_code(outcome);
+      page.end(outcome);
+      if (!interrupted) print_message("the page stays at {} until Ctrl-C\n", page.address());
+    } catch (const InputError& error) {
+      if (run == 1) throw;
+      print_message("incognita: {}\n", error.what());
+      page.refuse_start(error.what());
+    }
+    const std::optional<StartRun> start = page.control().wait_for_start();
+    if (!start) return code;
+    options.scenario = start->scenario;
+    options.sets = start->settings;
+    options.seed.reset(), options.duration_s.reset();
+    loaded = load(options);
+  }
+}
+
+int run(Options options) {
+  std::signal(SIGPIPE, SIG_IGN);  // a closed output pipe must not end the run
+  check(options);
+  take_scenario_of_replayed(options);
+  if (!options.view.empty()) {
+    options.page.port = options.view.back();
+    return run_with_page(options);
+  }
+  const LoadedScenario loaded = load(options);
+  return exit_code(run_once(options, loaded, options.out.value_or("out/" + loaded.name), nullptr));
 }
 
 }  // namespace
@@ -191,8 +221,9 @@ int run(const Options& options) {
 CLI::App* add_run(CLI::App& app, std::function<int()>& job) {
   CLI::App* command = app.add_subcommand("run", "Run the loop from a scenario file");
   auto options = std::make_shared<Options>();
-  command->add_option("scenario", options->scenario, "Scenario file, or the name of a built-in one")
-      ->capture_default_str();
+  CLI::Option* const scenario =
+      command->add_option("scenario", options->scenario, "Scenario file, or the name of a built-in one")
+          ->capture_default_str();
   command->add_option("--out", options->out, "Run directory [out/<scenario>]")->type_name("DIR");
   command->add_option("--seed", options->seed, "Seed of all random streams")->type_name("N");
   command->add_option("--set", options->sets, "Override a setting, e.g. --set map.wanted_visible=20")
@@ -203,8 +234,20 @@ CLI::App* add_run(CLI::App& app, std::function<int()>& job) {
   command->add_flag("--save-frames", options->save_frames,
                     "Write a picture of every frame with its search ellipses");
   command->add_flag("--no-figures", options->no_figures, "Draw no figures");
-  command->footer("Example:\n  incognita run room --seed 7 --duration 20 --out out/first\n");
-  command->callback([options, &job] { job = [options] { return run(*options); }; });
+  command->add_flag("--view{0}", options->view,
+                    "Serve the page: watch and control the run in a browser; =PORT, else any free one");
+  add_access_options(*command, options->page);
+  command
+      ->add_option("--replay-commands", options->replay_commands,
+                   "Repeat what was done from the page in an earlier run; the scenario is that run's")
+      ->type_name("RUN");
+  command->footer(
+      "Example:\n  incognita run room --seed 7 --duration 20 --out out/first\n"
+      "  incognita run explore-room --view\n");
+  command->callback([options, scenario, &job] {
+    options->scenario_given = scenario->count() > 0;
+    job = [options] { return run(*options); };
+  });
   return command;
 }
 

@@ -84,7 +84,11 @@ RunConclusion drive(LoopParts& parts, RunSink& sink, ObservabilityWatch* watch, 
     return !progress.stopped;
   };
   std::function<void(const Estimate&)> watching;
-  if (watch) watching = [watch](const Estimate& estimate) { watch->follow(estimate); };
+  if (watch)
+    watching = [&](const Estimate& estimate) {
+      watch->follow(estimate);
+      if (callbacks.observe) callbacks.observe(*watch);
+    };
   try {
     run_loop(parts, publish, keep_going, watching);
   } catch (const std::exception& error) {

@@ -14,6 +14,8 @@
 
 namespace incognita {
 
+class ObservabilityWatch;
+
 /// Receives what a run publishes. An exception of publish() ends the run as `failed`.
 class RunSink {
  public:
@@ -47,6 +49,8 @@ struct RunCallbacks {
   std::function<void(const std::string& line)> report;    ///< receives the assumptions, for printing
   std::function<bool(const Tick& tick)> keep_going = {};  ///< false: the run is interrupted
   InterventionSource* interventions = nullptr;
+  /// Receives the observability monitor after each update, where the scenario has one.
+  std::function<void(const ObservabilityWatch&)> observe = {};
 };
 
 /// Throws InputError, naming file and key or value, if the scenario cannot start.

@@ -1,0 +1,56 @@
+#include "incognita/app/commands/view.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "incognita/app/commands/page_options.hpp"
+#include "incognita/app/console/print_message.hpp"
+#include "incognita/app/view/replay_page.hpp"
+#include "incognita/messages/errors.hpp"
+
+namespace incognita {
+namespace {
+
+struct Options {
+  std::vector<std::string> runs;
+  PageOptions page;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+void interrupt(int) { interrupted = 1; }
+
+void serve_until_interrupted(const std::string& address) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, interrupt);
+  print_message("the page is at {} until Ctrl-C\n", address);
+  open_in_browser(address);
+  while (!interrupted) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+}
+
+int view(const Options& options) {
+  if (options.runs.size() > 2)
+    throw InputError("view: one run can be replayed, or two compared; " +
+                     std::to_string(options.runs.size()) + " were given");
+  const ReplayPage page({options.runs.begin(), options.runs.end()}, server_settings(options.page));
+  serve_until_interrupted(page.address());
+  return 0;
+}
+
+}  // namespace
+
+CLI::App* add_view(CLI::App& app, std::function<int()>& job) {
+  CLI::App* command = app.add_subcommand("view", "Replay one run in the browser, or compare two");
+  auto options = std::make_shared<Options>();
+  command->add_option("RUN", options->runs, "Run directory; two are compared")->required();
+  command->add_option("--port", options->page.port, "Port of the page [any free one]")->type_name("PORT");
+  add_access_options(*command, options->page);
+  command->footer(
+      "Example: incognita view out/first\n         incognita view out/first out/second --port 8321");
+  command->callback([options, &job] { job = [options] { return view(*options); }; });
+  return command;
+}
+
+}  // namespace incognita

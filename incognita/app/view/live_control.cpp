@@ -1,0 +1,119 @@
+#include "incognita/app/view/live_control.hpp"
+
+#include <utility>
+
+#include "incognita/messages/errors.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr std::chrono::milliseconds nap{50};
+constexpr double late_s = 0.25;  // a loop that is later than this does not hurry to catch up
+constexpr std::size_t most_interventions = 1000;
+
+}  // namespace
+
+struct LiveControl::Change {
+  LiveControl& on;
+  void operator()(PauseRun) const { on.state_.paused = true; }
+  void operator()(ResumeRun) const {
+    on.state_.paused = false;
+    on.anchor_.reset();
+  }
+  void operator()(StepRun) const {
+    on.state_.paused = true;
+    ++on.steps_;
+  }
+  void operator()(const SetSpeed& speed) const {
+    on.state_.speed = speed.factor;
+    on.anchor_.reset();
+  }
+  void operator()(StopRun) const { on.stop_ = true; }
+  void operator()(const StartRun& start) const {
+    on.start_ = start;
+    on.stop_ = true;
+  }
+  void operator()(const Intervention& intervention) const {
+    if (!on.state_.running) throw InputError("no run is going on; start one first");
+    if (on.interventions_.size() >= most_interventions)
+      throw InputError("too many interventions wait for the next frame; resume the run");
+    on.interventions_.push_back(intervention);
+  }
+};
+
+void LiveControl::changed(std::unique_lock<std::mutex>& lock) {
+  const LiveState state = state_;
+  lock.unlock();
+  woken_.notify_all();
+  if (on_change) on_change(state);
+}
+
+void LiveControl::command(const ViewerCommand& command) {
+  std::unique_lock lock(mutex_);
+  std::visit(Change{*this}, command);
+  changed(lock);
+}
+
+void LiveControl::begin() {
+  std::unique_lock lock(mutex_);
+  state_ = {true, false, state_.speed, "", ""};
+  steps_ = 0;
+  stop_ = false;
+  interventions_.clear();
+  anchor_.reset();
+  changed(lock);
+}
+
+std::optional<LiveControl::Clock::time_point> LiveControl::due(double t) {
+  if (state_.speed == 0) return std::nullopt;
+  const auto now = Clock::now();
+  if (!anchor_) anchor_ = {now, t};
+  const auto after = [&](double s) {
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s));
+  };
+  const auto at = anchor_->first + after((t - anchor_->second) / state_.speed);
+  if (now - at > after(late_s)) anchor_ = {now, t};
+  return at;
+}
+
+bool LiveControl::wait_for(const Tick& tick) {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    if (stop_ || interrupted_()) return false;
+    if (state_.paused) {
+      if (steps_ > 0) {
+        --steps_;
+        anchor_.reset();
+        return true;
+      }
+      woken_.wait_for(lock, nap);
+      continue;
+    }
+    const auto at = due(tick.t);
+    const auto now = Clock::now();
+    if (!at || *at <= now) return true;
+    woken_.wait_until(lock, std::min(*at, now + nap));
+  }
+}
+
+std::vector<Intervention> LiveControl::take_interventions() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(interventions_, {});
+}
+
+void LiveControl::end(const std::string& status, const std::string& reason) {
+  std::unique_lock lock(mutex_);
+  state_.running = state_.paused = false;
+  state_.ended_status = status;
+  state_.ended_reason = reason;
+  changed(lock);
+}
+
+std::optional<StartRun> LiveControl::wait_for_start() {
+  std::unique_lock lock(mutex_);
+  while (!start_ && !interrupted_()) woken_.wait_for(lock, nap);
+  if (interrupted_()) return std::nullopt;
+  return std::exchange(start_, std::nullopt);
+}
+
+}  // namespace incognita

@@ -1,0 +1,63 @@
+// How viewers control the loop: their commands arrive in one thread, and take effect between two ticks in another.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "incognita/live/page_channel.hpp"
+#include "incognita/live/viewer_commands.hpp"
+#include "incognita/messages/tick.hpp"
+
+namespace incognita {
+
+class LiveControl {
+ public:
+  /// `interrupted`: whether the program is to end; asked about 20 times per second while waiting.
+  explicit LiveControl(std::function<bool()> interrupted) : interrupted_(std::move(interrupted)) {}
+
+  // From the thread of the server:
+
+  /// Throws InputError for an intervention when no run goes on.
+  void command(const ViewerCommand& command);
+
+  // From the thread of the loop:
+
+  /// A run begins, not paused, at the speed of the last one; at first in real time.
+  void begin();
+  /// Waits for the time of this tick, or for a step or the end of a pause. False if the run is to end.
+  bool wait_for(const Tick& tick);
+  /// The interventions since the last call, in their order.
+  std::vector<Intervention> take_interventions();
+  /// The run has ended, as `RunStatus` says.
+  void end(const std::string& status, const std::string& reason);
+  /// Waits until a viewer starts another run. None: the program is to end.
+  std::optional<StartRun> wait_for_start();
+
+  /// Called from either thread after each change of the state.
+  std::function<void(const LiveState&)> on_change = {};
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Change;
+  void changed(std::unique_lock<std::mutex>& lock);
+  /// Wall time at which run time `t` is due; none while as fast as possible.
+  std::optional<Clock::time_point> due(double t);
+
+  std::function<bool()> interrupted_;
+  std::mutex mutex_;
+  std::condition_variable woken_;
+  LiveState state_;
+  int steps_ = 0;  ///< frames to do while paused
+  bool stop_ = false;
+  std::vector<Intervention> interventions_;
+  std::optional<StartRun> start_;
+  std::optional<std::pair<Clock::time_point, double>> anchor_;  ///< a wall time and its run time, s
+};
+
+}  // namespace incognita

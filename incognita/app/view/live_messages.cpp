@@ -1,0 +1,89 @@
+#include "incognita/app/view/live_messages.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
+
+#include "incognita/app/loop/interventions.hpp"
+#include "incognita/app/view/settings_json.hpp"
+#include "incognita/io/formats/embedded.hpp"
+#include "incognita/io/formats/files.hpp"
+#include "incognita/record/mcap/run_message.hpp"
+
+namespace incognita {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t largest_scenario = 1u << 20;
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// The words that a setting of the decision may take; none where bodies follow paths.
+Json choices_of(const LoadedScenario& loaded, const std::string& key) {
+  const auto found = std::find_if(loaded.settings.begin(), loaded.settings.end(),
+                                  [&](const SettingInForce& setting) { return setting.key == key; });
+  Json choices = Json::array();
+  if (found == loaded.settings.end()) return choices;
+  for (const std::string& word : words_of(found->allowed)) choices.push_back(word);
+  return choices;
+}
+
+Json value_in_force(const LoadedScenario& loaded, const std::string& key) {
+  for (const SettingInForce& setting : loaded.settings)
+    if (setting.key == key) return Json::parse(setting_json(setting))["value"];
+  return nullptr;
+}
+
+/// The comment at the beginning of a scenario file, on one line.
+std::string first_comment(const std::string& toml) {
+  std::istringstream lines(toml);
+  std::string comment;
+  for (std::string line; std::getline(lines, line) && line.starts_with("# ");)
+    comment += (comment.empty() ? "" : " ") + line.substr(2);
+  return comment;
+}
+
+}  // namespace
+
+std::string live_info_json(const LoadedScenario& loaded, const RunInfo& info, std::int64_t frames) {
+  Json json = Json::parse(run_message(info));
+  json["name"] = loaded.name;
+  json["expected_frames"] = frames;
+  json["effective_toml"] = info.effective_toml;
+  json["disturbances"] = possible_disturbances(loaded.scenario);
+  json["manual"] = can_be_taken_over(loaded.scenario);
+  json["strategies"] = choices_of(loaded, "decision.strategy");
+  json["gazes"] = choices_of(loaded, "decision.gaze");
+  json["strategy"] = value_in_force(loaded, "decision.strategy");
+  json["gaze"] = value_in_force(loaded, "decision.gaze");
+  return text_of(json);
+}
+
+std::string observability_fields(const ObservabilityReport& report) {
+  Json json{{"lines", in_words(report)}};
+  Json& directions = json["directions"] = Json::array();
+  for (const QuantityReport& quantity : report.quantities) {
+    Json direction{
+        {"name", quantity.name},
+        {"unit", quantity.unit},
+        {"observable", quantity.ideally_observable},
+        {"overconfident", quantity.gained && !quantity.ideally_observable && !quantity.by_motion_model}};
+    if (quantity.estimated_sigma) direction["sigma"] = *quantity.estimated_sigma;
+    directions.push_back(std::move(direction));
+  }
+  const std::string text = text_of(json);
+  return text.substr(1, text.size() - 2);
+}
+
+std::string scenarios_json() {
+  Json list = Json::array();
+  for (const std::string& name : embedded_scenarios()) {
+    const std::string path = std::string(embedded_root) + "/" + name + ".toml";
+    list.push_back({{"name", name}, {"about", first_comment(read_file(path, largest_scenario))}});
+  }
+  return text_of(list);
+}
+
+}  // namespace incognita

@@ -1,0 +1,153 @@
+#include "incognita/app/view/live_page.hpp"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "incognita/app/console/print_message.hpp"
+#include "incognita/app/loop/observability_watch.hpp"
+#include "incognita/app/view/live_messages.hpp"
+#include "incognita/app/view/page_answers.hpp"
+#include "incognita/app/view/page_files.hpp"
+#include "incognita/app/view/settings_json.hpp"
+#include "incognita/live/foxglove_messages.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/record/recorder.hpp"
+#include "incognita/record/snapshot/interventions.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr std::chrono::seconds observe_every{2};
+
+std::vector<std::string> settings_of(const HttpRequest& request) {
+  std::vector<std::string> settings;
+  for (const auto& [name, value] : request.query)
+    if (name == "set") settings.push_back(value);
+  return settings;
+}
+
+}  // namespace
+
+LivePage::LivePage(ServerSettings settings, std::function<bool()> interrupted)
+    : control_(std::move(interrupted)) {
+  check_page_is_complete();
+  channel_ = std::make_shared<PageChannel>([this](const ViewerCommand& asked) { command(asked); });
+  control_.on_change = [this](const LiveState& state) { channel_->set_state(state); };
+  ServerHandlers handlers;
+  handlers.answer = [this](const HttpRequest& request) { return answer(request); };
+  handlers.protocols = {{PageChannel::subprotocol, channel_}};
+  for (const char* name : foxglove::subprotocols) handlers.protocols.emplace_back(name, foxglove_);
+  handlers.log = [](const std::string& line) { print_message("view: {}\n", line); };
+  server_ = std::make_unique<Server>(std::move(settings), std::move(handlers), [this](Server& server) {
+    channel_->attach(server);
+    foxglove_->attach(server);
+  });
+}
+
+LivePage::~LivePage() { server_.reset(); }
+
+void LivePage::prepare(const LoadedScenario& loaded, Reload reload, const std::filesystem::path& directory) {
+  const std::lock_guard lock(mutex_);
+  reload_ = std::move(reload);
+  current_.emplace();
+  current_->loaded = loaded;
+  current_->directory = directory;
+}
+
+void LivePage::begin(const RunInfo& info, std::int64_t frames) {
+  // Errors are known from the first snapshot on; until then their columns are empty
+  const bool with_errors = same_frame_as_truth(info);
+  int index = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    current_->info_json = live_info_json(current_->loaded, info, frames);
+    current_->history = std::make_shared<SeriesHistory>(with_errors);
+    index = static_cast<int>(runs_.size());
+  }
+  channel_->begin(index, current_->loaded.name, with_errors);
+  foxglove_->begin(info);
+  control_.begin();
+}
+
+void LivePage::publish(const Snapshot& snapshot) {
+  current_->history->add(snapshot);
+  const auto shared = std::make_shared<const Snapshot>(snapshot);
+  channel_->publish(shared);
+  foxglove_->publish(shared);
+}
+
+void LivePage::observe(const ObservabilityWatch& watch) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - observed_ < observe_every || !channel_->has_viewers()) return;
+  observed_ = now;
+  ObservabilityWatch copy =
+      watch;  // a report rearranges the information, which must not depend on who watches
+  if (const auto report = copy.report()) channel_->put_observability(observability_fields(*report));
+}
+
+void LivePage::end(const RunOutcome& outcome) {
+  {
+    const std::lock_guard lock(mutex_);
+    runs_.add_later(current_->directory, current_->loaded.name);
+    current_.reset();
+  }
+  control_.end(name(outcome.status), outcome.reason);
+}
+
+void LivePage::refuse_start(const std::string& why) {
+  {
+    const std::lock_guard lock(mutex_);
+    current_.reset();
+  }
+  channel_->refuse("start", why);
+  control_.end("failed", why);
+}
+
+std::vector<Intervention> LivePage::due(const Tick&) { return control_.take_interventions(); }
+
+void LivePage::refused(const Intervention& intervention, const std::string& why) {
+  channel_->refuse(name(intervention), why);
+}
+
+/// In the server's thread. A run that could not start is refused here already, as far as its settings say.
+void LivePage::command(const ViewerCommand& asked) {
+  if (const auto* start = std::get_if<StartRun>(&asked)) load_scenario(start->scenario, start->settings);
+  control_.command(asked);
+}
+
+/// In the server's thread.
+HttpAnswer LivePage::answer(const HttpRequest& request) {
+  if (auto file = page_file(request.path)) return *file;
+  const auto path = api_path(request.path);
+  if (path.empty()) return error_answer(404, "there is no such page");
+  if (path[0] == "scenarios") return json_answer(scenarios_json());
+  if (path[0] == "config") {
+    try {
+      return json_answer(
+          scenario_json(load_scenario(std::string(request.parameter("scenario")), settings_of(request))));
+    } catch (const InputError& error) {
+      return error_answer(400, error.what());
+    }
+  }
+  const std::lock_guard lock(mutex_);
+  if (path[0] == "mode") {
+    nlohmann::json runs = nlohmann::json::array();
+    for (const std::string& name : runs_.names()) runs.push_back({{"name", name}});
+    if (current_) runs.push_back({{"name", current_->loaded.name}});
+    return json_answer(nlohmann::json{
+        {"mode", "live"},
+        {"version", INCOGNITA_VERSION},
+        {"runs", runs},
+        {"control", true}}.dump());
+  }
+  const auto index = path[0] == "runs" && path.size() > 2 ? index_of(path[1]) : std::nullopt;
+  if (!index) return error_answer(404, "there is no such page");
+  if (*index != runs_.size() || !current_ || !current_->history)
+    return runs_.answer(*index, {path.begin() + 2, path.end()});
+  if (path[2] == "info") return json_answer(current_->info_json);
+  if (path[2] == "series") return json_answer(current_->history->json());
+  return error_answer(404, "frames, images and the summary are available after the end of the run");
+}
+
+}  // namespace incognita

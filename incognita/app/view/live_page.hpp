@@ -1,0 +1,72 @@
+// The page of a program that runs the loop: server, viewers, control, and the runs so far.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "incognita/app/loop/scenario_run.hpp"
+#include "incognita/app/view/live_control.hpp"
+#include "incognita/app/view/recorded_runs.hpp"
+#include "incognita/live/foxglove_channel.hpp"
+#include "incognita/live/page_channel.hpp"
+#include "incognita/live/series_history.hpp"
+#include "incognita/live/server.hpp"
+
+namespace incognita {
+
+class ObservabilityWatch;
+
+class LivePage final : public InterventionSource {
+ public:
+  /// Throws InputError if the server cannot listen, or the program has no page. `interrupted`: whether the program is to
+  /// end.
+  LivePage(ServerSettings settings, std::function<bool()> interrupted);
+  ~LivePage() override;
+
+  std::string address() const { return server_->address(); }
+
+  // In the order of a run, from the thread of the loop:
+
+  /// Another run begins; its interventions change settings of `loaded` by `reload`.
+  using Reload = std::function<LoadedScenario(const std::vector<std::string>& settings)>;
+  void prepare(const LoadedScenario& loaded, Reload reload, const std::filesystem::path& directory);
+  void begin(const RunInfo& info, std::int64_t frames);
+  LiveControl& control() { return control_; }
+  void publish(const Snapshot& snapshot);
+  /// The observability monitor after an update: its report is sent about every two seconds while someone watches.
+  void observe(const ObservabilityWatch& watch);
+  void end(const RunOutcome& outcome);
+  /// A run could not start.
+  void refuse_start(const std::string& why);
+
+  std::vector<Intervention> due(const Tick& tick) override;
+  void refused(const Intervention& intervention, const std::string& why) override;
+  LoadedScenario reloaded(const std::vector<std::string>& settings) override { return reload_(settings); }
+
+ private:
+  HttpAnswer answer(const HttpRequest& request);
+  void command(const ViewerCommand& command);
+
+  struct Current {
+    LoadedScenario loaded;
+    std::filesystem::path directory;
+    std::string info_json;
+    std::shared_ptr<SeriesHistory> history;
+  };
+
+  LiveControl control_;
+  std::shared_ptr<PageChannel> channel_;
+  std::shared_ptr<FoxgloveChannel> foxglove_ = std::make_shared<FoxgloveChannel>();
+  std::mutex mutex_;  ///< of `runs_` and `current_`
+  RecordedRuns runs_;
+  std::optional<Current> current_;  ///< the run that goes on
+  Reload reload_;
+  std::chrono::steady_clock::time_point observed_{};
+  std::unique_ptr<Server> server_;  ///< ends first
+};
+
+}  // namespace incognita

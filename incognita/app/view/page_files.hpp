@@ -1,0 +1,17 @@
+// The files of the page, built into the program: web/ and the libraries that it uses.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "incognita/live/server.hpp"
+
+namespace incognita {
+
+/// The file of a request such as "/" or "/scene/scene.js"; none if there is no such file.
+std::optional<HttpAnswer> page_file(std::string_view path);
+
+/// Throws InputError if the program was built without the libraries of the page; names their packages.
+void check_page_is_complete();
+
+}  // namespace incognita

@@ -87,7 +87,7 @@ function buildTools(clock, theme, help) {
     const name = svg.closest('section')?.getAttribute('aria-label')?.toLowerCase().replace(/[^a-z]+/g, '-') ?? 'plot';
     saveSvg({ svg: /** @type {SVGSVGElement} */ (svg), fileName: `${k + 1}-${name}` });
   });
-  byId('tools').append(labeled('plots', span), button('Save plots', savePlots, { class: 'quiet', title: 'Save every plot as an SVG file' }),
+  byId('tools').append(labeled('plots', span), button('Save plots', savePlots, { class: 'quiet save-plots', title: 'Save every plot as an SVG file' }),
     theme, button('? Help', () => help.showModal(), { class: 'quiet' }));
 }
 
@@ -101,6 +101,7 @@ function startLive(run, session, clock) {
     clock.setReplaying(ended);
     if (ended) clock.seek(clock.range[1]);
   });
+  run.on('series', () => ended && !run.snapshot && clock.seek(clock.range[1]));
   followLiveRun(run, session);
 }
 

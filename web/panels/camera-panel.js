@@ -22,7 +22,7 @@ export function cameraPanel(run, name) {
         const png = await view.png();
         if (png) download(`${name}-camera.png`, png);
       }, { class: 'quiet', 'aria-label': 'Save the camera view as PNG', title: 'Save as PNG' })),
-    element('div', { class: 'canvas-host' }, canvas), outcomeLegend(false));
+    element('div', { class: 'canvas-host' }, canvas), outcomeLegend(true));
   const show = () => {
     const camera = run.info?.camera;
     made.hidden = run.info !== null && !camera;

@@ -28,8 +28,8 @@ function decisionControls(info, session) {
   const rows = [['strategy', info.strategies], ['gaze', info.gazes]].flatMap(([key, words]) => {
     if (!Array.isArray(words) || words.length === 0) return [];
     const change = (/** @type {string} */ value) => session.intervene({ type: 'set', settings: [`decision.${key}=${value}`] });
-    const made = select(words.map((word) => [word, word]), change);
-    made.value = currentWord(info, String(key)) ?? words[0];
+    const current = currentWord(info, String(key)) ?? words[0];
+    const made = select([...new Set([current, ...words])].map((word) => [word, word]), change);
     return [labeled(String(key), made)];
   });
   return element('fieldset', { hidden: rows.length === 0 }, element('legend', {}, 'Decision'), ...rows);

@@ -28,10 +28,17 @@ function bodyGroup(body, number) {
   const span = negative + largest;
   return element('div', { class: 'decision-body' },
     ...(number ? [element('h3', {}, `Body ${number}`)] : []),
-    element('p', { class: `chosen${chosen < 0 ? ' none' : ''}` }, words),
+    bigWords(words, chosen < 0),
     element('ol', { class: 'scores' }, ...scores.map((score, k) => scoreRow(score, k === chosen, zero, span))),
     ...(scores.length ? [element('p', { class: 'note' }, reference === 'stay' ? 'score − score of “stay”, nats'
       : `no action “stay”: score − lowest score (${spoken(reference)}), nats`)] : []));
+}
+
+/** As large as the width of the panel allows. @param {string} words @param {boolean} none @returns {HTMLElement} */
+function bigWords(words, none) {
+  const made = element('p', { class: `chosen${none ? ' none' : ''}` }, words);
+  made.style.fontSize = `min(${none ? 26 : 52}px, ${Math.round(148 / Math.max(1, words.length))}cqi)`;
+  return made;
 }
 
 /**

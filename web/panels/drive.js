@@ -6,6 +6,8 @@ import { button, element, labeled, takesKeys } from './dom.js';
 /** @typedef {import('../state/session.js').Session} Session */
 
 const GAMEPAD_PERIOD_MS = 50;
+/** As they lie on a keyboard. */
+const ROWS = ['KeyQ', 'KeyW', 'KeyE', 'KeyR', 'KeyA', 'KeyS', 'KeyD', 'KeyF'];
 const REST = driveOfKeys([]);
 
 /**
@@ -21,14 +23,14 @@ export function driveControls(run, session) {
   let padWasUsed = false;
   const body = () => Number(bodies.value);
   const takenOver = () => run.snapshot?.bodies[body() - 1]?.manual === true;
-  const pads = element('div', { class: 'drive-keys' }, ...Object.entries(DRIVE_KEYS).map(([code, key]) => holdButton(code, key.words)));
+  const pads = element('div', { class: 'drive-keys' }, ...ROWS.map((code) => holdButton(code, DRIVE_KEYS[code].words)));
   const take = button('Take over', () => {
     releaseKeys();
     session.intervene({ type: takenOver() ? 'give-back' : 'take-over', body: body() });
   }, { class: 'primary' });
   const made = element('fieldset', { class: 'drive' }, element('legend', {}, 'Take over'),
     element('div', { class: 'row' }, ...(bodies.options.length > 1 ? [labeled('body', bodies)] : []), take), pads,
-    element('p', { class: 'note' }, 'Hold the keys or buttons, or use a gamepad: left stick moves, right stick turns and lifts.'));
+    element('p', { class: 'note' }, 'Hold keys or buttons. Gamepad: left stick moves, right stick turns and lifts.'));
 
   /** @param {import('../math/drive-command.js').Drive} drive */
   function send(drive) {
@@ -52,10 +54,12 @@ export function driveControls(run, session) {
       sendKeys();
     };
     const isKey = (/** @type {KeyboardEvent} */ event) => event.key === 'Enter' || event.key === ' ';
-    return button(`${code.slice(3)} ${words}`, () => {}, {
+    const made = button('', () => {}, {
       'data-code': code, onpointerdown: () => press(true), onpointerup: () => press(false), onpointerleave: () => press(false),
       onkeydown: (event) => isKey(event) && press(true), onkeyup: (event) => isKey(event) && press(false),
     });
+    made.append(element('kbd', {}, code.slice(3)), element('span', {}, words));
+    return made;
   }
   function showTaken() {
     const taken = takenOver();

@@ -9,7 +9,7 @@ import { button, download, element } from './dom.js';
 const LAYERS = [
   ['estimate', 'estimated path and body'], ['truth', 'true path and body'], ['sigma', '2σ of the body'],
   ['ellipsoids', '2σ of the landmarks'], ['markers', 'landmark markers'], ['anchors', 'anchors'], ['room', 'room'],
-  ['terrain', 'terrain'], ['unseen', 'unseen cells'], ['grid', 'ground grid'],
+  ['terrain', 'terrain'], ['unseen', 'unseen cells'], ['grid', 'ground grid, 1 m'],
 ];
 /** @type {[Preset, string][]} */
 const PRESETS = [['top', 'Top'], ['side', 'Side'], ['follow', 'Follow'], ['reset', 'Reset']];
@@ -31,7 +31,7 @@ export function scenePanel(run, name) {
       return element('label', { class: 'check' }, box, element('span', { class: `swatch ${layer}`, 'aria-hidden': 'true' }), words);
     })));
   const made = element('section', { class: 'panel scene', 'aria-label': '3-D scene' },
-    element('header', {}, element('h2', {}, 'Scene'), element('span', { class: 'note' }, 'grid 1 m'),
+    element('header', {}, element('h2', {}, 'Scene'), element('span', { class: 'note' }),
       element('div', { class: 'buttons', role: 'group', 'aria-label': 'View' },
         ...PRESETS.map(([which, words]) => button(words, () => preset(which), { class: 'quiet' }))),
       layers, button('PNG', async () => {

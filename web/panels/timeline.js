@@ -58,11 +58,11 @@ export function timeline(runs, clock) {
   const eventText = element('span', { class: 'note event-text', role: 'status' });
   const marks = svgElement('svg', { class: 'event-marks', 'aria-hidden': 'true', preserveAspectRatio: 'none' });
   const bar = element('div', { class: 'timeline', role: 'group', 'aria-label': 'Replay' },
-    element('div', { class: 'track' }, marks, slider),
     element('div', { class: 'timeline-buttons' }, button('◀|', () => frame(-1), { 'aria-label': 'Previous frame', title: 'Previous frame (,)' }), play,
-      button('|▶', () => frame(1), { 'aria-label': 'Next frame', title: 'Next frame (.)' }), timeText, speed,
-      button('⏮', () => event(-1), { 'aria-label': 'Previous event', title: 'Previous event ([)' }), kinds,
-      button('⏭', () => event(1), { 'aria-label': 'Next event', title: 'Next event (])' }), eventText));
+      button('|▶', () => frame(1), { 'aria-label': 'Next frame', title: 'Next frame (.)' }), timeText, speed),
+    element('div', { class: 'track' }, marks, slider),
+    element('div', { class: 'timeline-buttons' }, button('‹ event', () => event(-1), { 'aria-label': 'Previous event', title: 'Previous event ([)' }), kinds,
+      button('event ›', () => event(1), { 'aria-label': 'Next event', title: 'Next event (])' }), eventText));
 
   clock.on('time', () => {
     slider.value = String(clock.time);

@@ -13,16 +13,23 @@ import { svgElement } from '../panels/dom.js';
  * @property {Line[]} lines
  * @property {Band} [band]
  * @property {number[]} [marks] times of marks along the upper edge
+ * @property {{text: string, color: string}} [note] last entry of the legend
  * @property {[number, number]} [domain] of y; otherwise what the lines need
  */
 
 const d3 = /** @type {any} */ (globalThis).d3;
-const MARGIN = { top: 19, right: 8, bottom: 17, left: 42 };
+const MARGIN = { right: 8, bottom: 17, left: 42 };
+const LEGEND_ROW_PX = 13;
+/** About the width of a letter of the legend. */
+const LETTER_PX = 6.1;
+const ENTRY_GAP_PX = 7;
 
 export class LinePlot {
   /** @type {PlotData | null} */
   #data = null;
   #x = d3.scaleLinear();
+  /** Height above the drawing, for the legend. */
+  #top = 19;
 
   /** @param {string} title @param {string} fileName @param {Clock} clock @param {string} [about] for screen readers and as a tooltip */
   constructor(title, fileName, clock, about = title) {
@@ -50,10 +57,11 @@ export class LinePlot {
     const { clientWidth: width, clientHeight: height } = /** @type {Element} */ (this.svg.parentElement);
     if (width < 60 || height < 40) return;
     this.root.attr('viewBox', `0 0 ${width} ${height}`).attr('width', width).attr('height', height);
+    this.#top = this.#breakOf(this.#entries(data.t.length - 1), width) > 0 ? 19 + LEGEND_ROW_PX : 19;
     const columns = width - MARGIN.left - MARGIN.right;
     this.#x.domain(data.range).range([MARGIN.left, width - MARGIN.right]);
     const kept = data.lines.map((line) => decimate(data.t, line.values, data.range[0], data.range[1], columns));
-    const y = d3.scaleLinear().domain(data.domain ?? domainOf(data.lines, kept)).range([height - MARGIN.bottom, MARGIN.top]);
+    const y = d3.scaleLinear().domain(data.domain ?? domainOf(data.lines, kept)).range([height - MARGIN.bottom, this.#top]);
     this.#drawAxes(y, columns, height);
     this.#drawBand(y, columns);
     this.#drawLines(y, kept);
@@ -70,19 +78,36 @@ export class LinePlot {
     const inside = time >= data.range[0] && time <= data.range[1] && (hovered || this.clock.replaying);
     const x = this.#x(time);
     this.cursor.attr('visibility', inside ? 'visible' : 'hidden').attr('x1', x).attr('x2', x)
-      .attr('y1', MARGIN.top).attr('y2', Number(this.root.attr('height')) - MARGIN.bottom);
+      .attr('y1', this.#top).attr('y2', Number(this.root.attr('height')) - MARGIN.bottom);
     const index = Math.min(data.t.length - 1, Math.max(0, lowerBound(data.t, time + 1e-9) - 1));
-    const spans = [{ text: this.title, color: '--muted', bold: true },
-      ...data.lines.map((line) => ({ text: `${line.label} ${shortNumber(line.values[index])}`, color: line.color, bold: false }))];
+    const spans = this.#entries(index);
+    const second = this.#breakOf(spans, Number(this.root.attr('width')));
+    const breaks = (/** @type {number} */ k) => k > 0 && k === second && this.#top > 19;
     this.legend.selectAll('tspan').data(spans).join('tspan')
-      .attr('dx', (/** @type {any} */ _, /** @type {number} */ k) => (k ? 7 : 0))
+      .attr('x', (/** @type {any} */ _, /** @type {number} */ k) => (breaks(k) ? 2 : null))
+      .attr('dy', (/** @type {any} */ _, /** @type {number} */ k) => (breaks(k) ? LEGEND_ROW_PX : null))
+      .attr('dx', (/** @type {any} */ _, /** @type {number} */ k) => (k && !breaks(k) ? ENTRY_GAP_PX : 0))
       .attr('class', (/** @type {any} */ span) => (span.bold ? 'title' : 'value'))
       .style('fill', (/** @type {any} */ span) => `var(${span.color})`).text((/** @type {any} */ span) => span.text);
   }
 
+  /** Entries of the legend with the values of one frame. @param {number} index */
+  #entries(index) {
+    const { lines, note } = /** @type {PlotData} */ (this.#data);
+    return [{ text: this.title, color: '--muted', bold: true },
+      ...lines.map((line) => ({ text: `${line.label} ${shortNumber(line.values[index])}`.trim(), color: line.color, bold: false })),
+      ...(note ? [{ ...note, bold: false }] : [])];
+  }
+
+  /** First entry of the second row of the legend, 0 when one row is enough. @param {{text: string}[]} entries @param {number} width */
+  #breakOf(entries, width) {
+    let used = 0;
+    return Math.max(0, entries.findIndex(({ text }) => (used += text.length * LETTER_PX + ENTRY_GAP_PX) > width));
+  }
+
   /** @param {any} y @param {number} columns @param {number} height */
   #drawAxes(y, columns, height) {
-    const ticksY = Math.max(2, Math.floor((height - MARGIN.top - MARGIN.bottom) / 28));
+    const ticksY = Math.max(2, Math.floor((height - this.#top - MARGIN.bottom) / 28));
     this.axisX.attr('transform', `translate(0,${height - MARGIN.bottom})`)
       .call(d3.axisBottom(this.#x).ticks(Math.max(2, columns / 70)).tickSize(3).tickPadding(2)
         .tickFormat((/** @type {number} */ t) => `${t} s`));
@@ -122,7 +147,7 @@ export class LinePlot {
   #drawMarks(times) {
     const { range } = /** @type {PlotData} */ (this.#data);
     const shown = times.filter((t) => t >= range[0] && t <= range[1]).map((t) => Math.round(this.#x(t)));
-    this.marks.attr('d', [...new Set(shown)].map((x) => `M${x} ${MARGIN.top}v5`).join(''));
+    this.marks.attr('d', [...new Set(shown)].map((x) => `M${x} ${this.#top}v5`).join(''));
   }
 
   /** @param {number} t */
@@ -159,7 +184,7 @@ export function shortNumber(value) {
   if (!Number.isFinite(value)) return '–';
   const size = Math.abs(value);
   if (size === 0) return '0';
-  const text = size >= 99.5 ? value.toFixed(0) : size >= 9.95 ? value.toFixed(1) : size >= 0.995 ? value.toFixed(2)
-    : size >= 0.000995 ? value.toFixed(4) : value.toExponential(0);
+  const text = size >= 99.5 ? value.toFixed(0) : size >= 0.995 ? value.toPrecision(3) : size >= 1e-5 ? value.toFixed(
+    Math.min(6, 1 - Math.floor(Math.log10(size)))) : value.toExponential(0);
   return (text.includes('.') && !text.includes('e') ? text.replace(/\.?0+$/, '') : text).replace('-', '−');
 }

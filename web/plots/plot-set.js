@@ -35,9 +35,9 @@ export class PlotSet {
     this.timings = new TimingsPlot(run);
     this.all = [this.entropy, ...this.errors, this.nis, this.timings];
     this.element = element('div', { class: 'plots' },
-      plotPanel('Entropies', 'entropies', [this.entropy], '▏marks on top: initialized landmarks'),
+      plotPanel('Entropies', 'entropies', [this.entropy], 'ticks: new landmarks'),
       plotPanel('Pose errors and ±2σ bounds', 'errors', this.errors, ''),
-      plotPanel('Innovations', 'nis', [this.nis], 'band: 95 % of χ² (Wilson–Hilferty)'),
+      plotPanel('Innovations', 'nis', [this.nis], ''),
       plotPanel('Stage timings', 'timings', [this.timings], ''));
     this.draw = onDemand(() => this.drawNow(), REDRAW_MS);
     run.on('series info', () => this.draw());
@@ -53,9 +53,17 @@ export class PlotSet {
     if (t.length === 0) return;
     const range = this.clock.shownRange;
     this.entropy.draw({ t, range, lines: this.#entropyLines(), marks: this.#initializations() });
-    this.errors.forEach((plot, k) => plot.draw(this.#errorData(ERRORS[k][0], t, range)));
+    this.errors.forEach((plot, k) => this.#drawError(plot, this.#errorData(ERRORS[k][0], t, range)));
     this.nis.draw(this.#nisData(t, range));
     this.timings.draw(this.clock.replaying ? this.clock.time : t[t.length - 1]);
+  }
+
+  /** A component that neither moves nor is uncertain, such as the height of a planar vehicle, is left out.
+   * @param {LinePlot} plot @param {PlotData} data */
+  #drawError(plot, data) {
+    const constant = [data.band?.high ?? [], ...data.lines.map((line) => line.values)].every((values) => values.every((v) => !v));
+    /** @type {HTMLElement} */ (plot.svg.parentElement).hidden = constant;
+    if (!constant) plot.draw(data);
   }
 
   #entropyLines() {
@@ -88,6 +96,7 @@ export class PlotSet {
     const top = Math.max(2.5, 1.2 * (quantile(ratio, 0.98) || 0));
     return {
       t, range, domain: [0, top], lines: [{ label: '', color: '--blue', values: ratio }],
+      note: { text: 'band: 95 %, Wilson–Hilferty', color: '--green' },
       band: { low: bands.map((b) => b[0]), high: bands.map((b) => b[1]), color: '--green' },
     };
   }

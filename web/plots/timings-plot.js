@@ -7,7 +7,7 @@ import { shortNumber } from './line-plot.js';
 
 const d3 = /** @type {any} */ (globalThis).d3;
 const FRAMES = 60;
-const LARGEST = 7;
+const LARGEST = 6;
 const COLORS = ['--blue', '--orange', '--green', '--purple', '--vermilion', '--sky', '--yellow', '--gray'];
 const LEFT = 4;
 const BAR_PX = 16;
@@ -33,7 +33,7 @@ export class TimingsPlot {
     const stages = largestStages(Object.keys(this.run.series.timing).filter((name) => name !== 'frame')
       .map((name) => ({ name, ms: median(recent(name)) || 0 })));
     const frame = this.run.series.timing.frame ? recent('frame') : [];
-    const rows = Math.max(1, Math.floor((height - 84) / 15));
+    const rows = Math.max(1, Math.floor((height - 68) / 14));
     this.root.attr('viewBox', `0 0 ${width} ${height}`).attr('width', width).attr('height', height);
     this.#drawBudget(width, frame);
     this.#drawStages(width, stages, rows);
@@ -47,8 +47,8 @@ export class TimingsPlot {
     const [middle, largest] = [median(frame) || 0, quantile(frame, 1) || 0];
     const x = d3.scaleLinear().domain([0, Math.max(budget, largest)]).range([0, width - 2 * LEFT]);
     const over = middle > budget;
-    this.#text('budget-text', LEFT, 11, `frame ${shortNumber(middle)} ms of ${shortNumber(budget)} ms` +
-      ` (${Math.round((100 * middle) / budget)} %${over ? ', over budget' : ''}), max ${shortNumber(largest)}`);
+    this.#text('budget-text', LEFT, 11, `frame ${shortNumber(middle)} of ${shortNumber(budget)} ms,` +
+      ` ${Math.round((100 * middle) / budget)} %${over ? ': over budget' : ''}`);
     this.#bar('budget', LEFT, 16, x(budget), 8, '--line');
     this.#bar('frame', LEFT, 16, Math.max(1, x(middle)), 8, over ? '--vermilion' : '--green');
     this.#bar('largest', LEFT + x(largest) - 1, 14, 2, 12, '--text');
@@ -64,14 +64,14 @@ export class TimingsPlot {
       start += stage.ms * scale;
       return { ...stage, x, width: stage.ms * scale, color: COLORS[k] };
     });
-    this.#text('stages-text', LEFT, 41, `stages, median of ${FRAMES} frames: ${shortNumber(total)} ms`);
+    this.#text('stages-text', LEFT, 41, `stages, median of ${FRAMES}: ${shortNumber(total)} ms`);
     this.root.selectAll('rect.stage').data(placed).join('rect').attr('class', 'stage')
       .attr('x', (/** @type {any} */ s) => s.x).attr('y', 46).attr('height', BAR_PX)
       .attr('width', (/** @type {any} */ s) => Math.max(0, s.width - 1)).style('fill', (/** @type {any} */ s) => `var(${s.color})`);
     const columns = placed.length > rows ? 2 : 1;
     const columnWidth = (width - 2 * LEFT) / columns;
     const perColumn = Math.ceil(placed.length / columns);
-    const cell = (/** @type {number} */ k) => [LEFT + Math.floor(k / perColumn) * columnWidth, 78 + (k % perColumn) * 15];
+    const cell = (/** @type {number} */ k) => [LEFT + Math.floor(k / perColumn) * columnWidth, 78 + (k % perColumn) * 14];
     this.root.selectAll('rect.key').data(placed).join('rect').attr('class', 'key').attr('width', 9).attr('height', 9)
       .attr('x', (/** @type {any} */ _, /** @type {number} */ k) => cell(k)[0])
       .attr('y', (/** @type {any} */ _, /** @type {number} */ k) => cell(k)[1] - 9)
@@ -79,7 +79,7 @@ export class TimingsPlot {
     this.root.selectAll('text.stage').data(placed).join('text').attr('class', 'stage value')
       .attr('x', (/** @type {any} */ _, /** @type {number} */ k) => cell(k)[0] + 13)
       .attr('y', (/** @type {any} */ _, /** @type {number} */ k) => cell(k)[1])
-      .text((/** @type {any} */ s) => `${s.name} ${shortNumber(s.ms)}`);
+      .text((/** @type {any} */ s) => `${s.name} ${Number(s.ms.toPrecision(2))}`);
   }
 
   /** @param {string} key @param {number} x @param {number} y @param {number} width @param {number} height @param {string} color */

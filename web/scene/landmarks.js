@@ -99,7 +99,7 @@ export class Landmarks {
   /** @param {number} capacity */
   #reserve(capacity) {
     const old = this.#mesh;
-    const geometry = new THREE.SphereBufferGeometry(1, 16, 12);
+    const geometry = new THREE.SphereBufferGeometry(1, 14, 10);
     geometry.setAttribute('color', new THREE.InstancedBufferAttribute(new Float32Array(3 * capacity), 3));
     const material = new THREE.MeshLambertMaterial({
       vertexColors: THREE.VertexColors, transparent: true, opacity: 0.42, depthWrite: false,

@@ -120,7 +120,7 @@ export class SceneView {
       this.view.extent = extent;
       const span = extent.getSize(new THREE.Vector3()).length();
       this.#surroundings.rebuild(info, extent);
-      this.#bodies.rebuild(info, Math.min(0.8, Math.max(0.25, 0.035 * span)));
+      this.#bodies.rebuild(info, Math.min(1.2, Math.max(0.25, 0.035 * span)));
       this.#rebuildPaths(info.bodies);
       this.#applyLayers();
       if (grown) this.preset('reset');

@@ -12,7 +12,7 @@ export class Surroundings {
   room = new THREE.Group();
   terrain = new THREE.Group();
   unseen = new THREE.Points(new THREE.BufferGeometry(),
-    new THREE.PointsMaterial({ size: 2.5 * window.devicePixelRatio, sizeAttenuation: false, transparent: true, opacity: 0.7 }));
+    new THREE.PointsMaterial({ size: 2 * window.devicePixelRatio, sizeAttenuation: false, transparent: true, opacity: 0.45 }));
   #seen = '';
 
   constructor() {

@@ -65,16 +65,17 @@ export class ThickLine {
     this.#version = path.version;
     const segments = Math.max(0, path.t.length - 1);
     if (segments > this.#capacity) this.#reserve(2 * segments);
-    if (segments > this.#count) this.#append(path.xyz, segments);
+    if (segments > this.#count) this.#append(path, segments);
     this.mesh.geometry.maxInstancedCount = Math.max(0, Math.min(shown - 1, segments));
     this.mesh.visible = shown > 1;
   }
 
-  /** @param {number[]} xyz @param {number} segments */
-  #append(xyz, segments) {
+  /** @param {import('../state/path-store.js').PathStore} path @param {number} segments */
+  #append({ t, xyz, longestGapS }, segments) {
     const array = this.#buffer.array;
     for (let k = this.#count; k < segments; ++k) {
-      for (let i = 0; i < 6; ++i) array[STRIDE * k + i] = xyz[3 * k + i];
+      const joined = t[k + 1] - t[k] <= longestGapS;
+      for (let i = 0; i < 6; ++i) array[STRIDE * k + i] = joined ? xyz[3 * k + i] : NaN;
       array[STRIDE * k + 6] = k === 0 ? 0 : array[STRIDE * k - 1] + segmentLength(array, k - 1);
     }
     this.#buffer.updateRange = { offset: STRIDE * this.#count, count: STRIDE * (segments - this.#count) };

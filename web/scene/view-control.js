@@ -33,18 +33,27 @@ export class ViewControl {
       this.controls.target.copy(body);
       this.camera.position.copy(body).add(new Vector3(-0.9, -1.2, 0.9).multiplyScalar(Math.min(2.5, 0.4 * radius)));
     } else {
-      const directions = { top: [0, -1e-3, 1], side: [0, -1, 0.05], reset: [-0.55, -1, 0.85], follow: [-0.55, -1, 0.85] };
+      const directions = { top: [0, -1e-2, 1], side: [0, -1, 0.05], reset: [-0.35, -1, 0.8], follow: [-0.35, -1, 0.8] };
       const direction = new Vector3().fromArray(directions[preset]).normalize();
       this.controls.target.copy(center);
-      this.camera.position.copy(center).addScaledVector(direction, this.#distanceToFit(radius));
+      this.camera.position.copy(center).addScaledVector(direction, this.#distanceToFit(direction));
     }
     this.controls.update();
   }
 
-  /** @param {number} radius */
-  #distanceToFit(radius) {
-    const half = (FIELD_OF_VIEW_DEG / 2) * (Math.PI / 180);
-    return (0.86 * radius) / Math.sin(Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect)));
+  /** Distance from the center at which all corners of the extent are in view. @param {THREE.Vector3} direction to the camera */
+  #distanceToFit(direction) {
+    const right = new Vector3(0, 0, 1).cross(direction).normalize();
+    const up = direction.clone().cross(right);
+    const tangent = Math.tan((FIELD_OF_VIEW_DEG / 2) * (Math.PI / 180));
+    const half = this.extent.getSize(new Vector3()).multiplyScalar(0.5);
+    let distance = 0.5;
+    for (let corner = 0; corner < 8; ++corner) {
+      const offset = half.clone().multiply(new Vector3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
+      const [x, y] = [Math.abs(offset.dot(right)) / this.camera.aspect, Math.abs(offset.dot(up))];
+      distance = Math.max(distance, offset.dot(direction) + (1.04 * Math.max(x, y)) / tangent);
+    }
+    return distance;
   }
 
   /** Keeps the distance to the followed body. @param {THREE.Vector3 | null} body */

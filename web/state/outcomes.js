@@ -17,4 +17,4 @@ export const OUTCOMES = {
 export const SHAPES = ['disc', 'cross', 'diamond', 'square', 'dot', 'plus', 'ring'];
 
 /** A landmark without any measurement in the shown frame. @type {OutcomeStyle} */
-export const NOT_PREDICTED = { words: 'not in view', color: '--blue', colorName: 'blue', dash: [], shape: 'ring' };
+export const NOT_PREDICTED = { words: 'out of view', color: '--blue', colorName: 'blue', dash: [], shape: 'ring' };

@@ -7,6 +7,8 @@ export class PathStore {
   t = [];
   /** @type {number[]} x y z each; NaN in gaps */
   xyz = [];
+  /** Time between two positions above which they are not joined by a line, s. */
+  longestGapS = Infinity;
   /** Changes when earlier positions change; appending leaves it as it is. */
   version = 0;
 
@@ -14,6 +16,7 @@ export class PathStore {
   assign(t, positions) {
     this.t = Array.from(t);
     this.xyz = positions.flatMap((position) => position ?? [NaN, NaN, NaN]);
+    this.longestGapS = Infinity;
     ++this.version;
   }
 

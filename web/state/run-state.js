@@ -12,6 +12,8 @@ import { Series } from './series.js';
 
 /** Snapshots kept until the image of their frame arrives. */
 const RECENT_SNAPSHOTS = 40;
+/** Missing frames above which a path that was put together from single snapshots has a gap. */
+const GAP_FRAMES = 20;
 
 /** Emits `info`, `series`, `snapshot`, `image` and `observability`. */
 export class RunState extends Emitter {
@@ -48,6 +50,7 @@ export class RunState extends Emitter {
   setInfo(info) {
     this.info = info;
     this.paths = Array.from({ length: info.bodies }, () => ({ estimate: new PathStore(), truth: new PathStore() }));
+    for (const { estimate, truth } of this.paths) estimate.longestGapS = truth.longestGapS = GAP_FRAMES / info.rate_hz;
     this.emit('info');
   }
 

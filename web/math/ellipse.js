@@ -27,7 +27,7 @@ const vectors = new Float64Array(9);
  * @param {number} x @param {number} y @param {number} z center
  * @param {number} sigmas
  * @param {number} minHalfAxis least half axis, so that a flat ellipsoid still shows
- * @param {Float32Array | Float64Array} out 4x4 matrix, column-major, from `offset`
+ * @param {Float32Array | Float64Array | number[]} out 4x4 matrix, column-major, from `offset`
  * @param {number} offset
  * @returns {boolean} false when the covariance is not finite
  */

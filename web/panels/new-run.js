@@ -50,6 +50,8 @@ export function newRunDialog(run, session) {
   async function check() {
     about.textContent = known.find(({ name }) => name === scenario)?.about ?? '';
     const asked = scenario;
+    answer.className = 'answer';
+    answer.textContent = 'Checking …';
     try {
       const { settings } = await fetchConfig(scenario, settingsText());
       if (asked !== scenario) return false;

@@ -40,6 +40,15 @@ export function scenePanel(run, name) {
       }, { class: 'quiet', 'aria-label': 'Save the scene as PNG', title: 'Save as PNG' })),
     element('div', { class: 'canvas-host' }, canvas, note), outcomeLegend(true));
 
+  layers.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    layers.open = false;
+    layers.querySelector('summary')?.focus();
+  });
+  document.addEventListener('pointerdown', (event) => {
+    if (!layers.contains(/** @type {Node} */ (event.target))) layers.open = false;
+  });
+
   async function load() {
     try {
       const { SceneView } = await import('../scene/scene-view.js');

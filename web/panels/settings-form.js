@@ -16,9 +16,9 @@ export function settingsForm(settings, changes, onchange) {
     sections.set(section, [...(sections.get(section) ?? []), setting]);
   }
   return [...sections].map(([section, members]) => {
-    const changed = members.some((setting) => isChanged(setting, changes));
-    return element('details', { class: changed ? 'has-changed' : '', open: changed },
-      element('summary', {}, section, element('span', { class: 'count' }, ` ${members.length}`)),
+    const changed = members.filter((setting) => isChanged(setting, changes)).length;
+    return element('details', { open: members.some(({ key }) => changes.has(key)) },
+      element('summary', {}, section, element('span', { class: 'count' }, ` ${members.length}${changed ? `, ${changed} changed` : ''}`)),
       ...members.map((setting) => settingRow(setting, changes, onchange)));
   });
 }

@@ -83,8 +83,9 @@ function place(object, position, orientation) {
 /** @param {THREE.Object3D} object @param {THREE.Color} color @param {number} opacity of faces */
 function paint(object, color, opacity) {
   object.traverse((part) => {
-    if (!part.material || part.isSprite) return;
-    part.material.color.copy(color);
-    if (part.isMesh) part.material.opacity = opacity;
+    if (!(part instanceof THREE.Mesh || part instanceof THREE.LineSegments)) return;
+    const material = /** @type {THREE.MeshBasicMaterial} */ (part.material);
+    material.color.copy(color);
+    if (part instanceof THREE.Mesh) material.opacity = opacity;
   });
 }

@@ -18,9 +18,14 @@ export class Landmarks {
   group = new THREE.Group();
   /** @type {Map<number, number>} place of each landmark in the mesh */
   #places = new Map();
-  #capacity = 0;
-  /** @type {THREE.InstancedMesh} */
-  #mesh;
+  #capacity = 128;
+  /** @type {Float32Array} */
+  #matrices = new Float32Array(0);
+  #instanceColors = new THREE.InstancedBufferAttribute(new Float32Array(0), 3);
+  #material = new THREE.MeshLambertMaterial({
+    vertexColors: THREE.VertexColors, transparent: true, opacity: 0.42, depthWrite: false,
+  });
+  #mesh = this.#makeMesh();
   #markers = new MarkerCloud(9);
   #anchors = new MarkerCloud(13);
   /** @type {Map<OutcomeStyle, {color: THREE.Color, shape: number}>} */
@@ -28,8 +33,7 @@ export class Landmarks {
   #anchorColor = new THREE.Color();
 
   constructor() {
-    this.#reserve(128);
-    this.group.add(this.#markers.points, this.#anchors.points);
+    this.group.add(this.#mesh, this.#markers.points, this.#anchors.points);
     this.updateColors();
   }
 
@@ -58,8 +62,7 @@ export class Landmarks {
     const all = snapshot?.landmarks ?? [];
     if (all.length > this.#capacity) this.#reserve(Math.max(all.length, 2 * this.#capacity));
     const outcomes = outcomesById(snapshot);
-    const matrices = this.#mesh.instanceMatrix.array;
-    const colors = this.#mesh.geometry.attributes.color.array;
+    const colors = /** @type {Float32Array} */ (this.#instanceColors.array);
     this.#places.clear();
     this.#markers.begin(all.length);
     this.#anchors.begin(all.length);
@@ -73,14 +76,14 @@ export class Landmarks {
       const outcome = outcomes.get(landmark.id);
       const style = /** @type {{color: THREE.Color, shape: number}} */ (
         this.#styles.get((outcome && OUTCOMES[outcome]) ?? NOT_PREDICTED));
-      ellipsoidMatrix(landmark.covariance, x, y, z, SIGMAS, MIN_HALF_AXIS_M, matrices, 16 * count);
+      ellipsoidMatrix(landmark.covariance, x, y, z, SIGMAS, MIN_HALF_AXIS_M, this.#matrices, 16 * count);
       style.color.toArray(colors, 3 * count);
       this.#markers.add(x, y, z, style.color, style.shape);
       this.#places.set(landmark.id, count++);
     }
     this.#mesh.count = count;
     this.#mesh.instanceMatrix.needsUpdate = true;
-    this.#mesh.geometry.attributes.color.needsUpdate = true;
+    this.#instanceColors.needsUpdate = true;
     this.#markers.end();
     this.#anchors.end();
   }
@@ -93,29 +96,31 @@ export class Landmarks {
   ellipsoid(id) {
     const place = this.#places.get(id);
     if (place === undefined) return null;
-    return readEllipsoid(this.#mesh.instanceMatrix.array.subarray(16 * place, 16 * place + 16));
+    return readEllipsoid(this.#matrices.subarray(16 * place, 16 * place + 16));
   }
 
   /** @param {number} capacity */
   #reserve(capacity) {
     const old = this.#mesh;
-    const geometry = new THREE.SphereBufferGeometry(1, 14, 10);
-    geometry.setAttribute('color', new THREE.InstancedBufferAttribute(new Float32Array(3 * capacity), 3));
-    const material = new THREE.MeshLambertMaterial({
-      vertexColors: THREE.VertexColors, transparent: true, opacity: 0.42, depthWrite: false,
-    });
-    this.#mesh = new THREE.InstancedMesh(geometry, material, capacity);
-    this.#mesh.count = 0;
-    this.#mesh.frustumCulled = false;
-    this.#mesh.renderOrder = 2;
     this.#capacity = capacity;
-    if (old) {
-      this.#mesh.visible = old.visible;
-      this.group.remove(old);
-      old.geometry.dispose();
-      old.material.dispose();
-    }
+    this.#mesh = this.#makeMesh();
+    this.#mesh.visible = old.visible;
+    old.geometry.dispose();
+    this.group.remove(old);
     this.group.add(this.#mesh);
+  }
+
+  /** @returns {THREE.InstancedMesh} with room for as many instances as `#capacity` */
+  #makeMesh() {
+    const geometry = new THREE.SphereBufferGeometry(1, 14, 10);
+    this.#instanceColors = new THREE.InstancedBufferAttribute(new Float32Array(3 * this.#capacity), 3);
+    geometry.setAttribute('color', this.#instanceColors);
+    const mesh = new THREE.InstancedMesh(geometry, this.#material, this.#capacity);
+    this.#matrices = /** @type {Float32Array} */ (mesh.instanceMatrix.array);
+    mesh.count = 0;
+    mesh.frustumCulled = false;
+    mesh.renderOrder = 2;
+    return mesh;
   }
 }
 

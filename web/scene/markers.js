@@ -40,12 +40,16 @@ void main() {
 export class MarkerCloud {
   #count = 0;
   #capacity = 0;
+  #positions = new Float32Array(0);
+  #colors = new Float32Array(0);
+  #shapes = new Float32Array(0);
+  #geometry = new THREE.BufferGeometry();
 
   /** @param {number} size px of the page */
   constructor(size) {
     this.uniforms = { size: { value: size * window.devicePixelRatio }, outline: { value: new THREE.Color() } };
     const material = new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms });
-    this.points = new THREE.Points(new THREE.BufferGeometry(), material);
+    this.points = new THREE.Points(this.#geometry, material);
     this.points.frustumCulled = false;
     this.points.renderOrder = 3;
     this.#reserve(128);
@@ -64,29 +68,33 @@ export class MarkerCloud {
 
   /** @param {number} x @param {number} y @param {number} z @param {THREE.Color} color @param {number} shape */
   add(x, y, z, color, shape) {
-    const { position, color: colors, shape: shapes } = this.points.geometry.attributes;
     const k = this.#count++;
-    position.array[3 * k] = x;
-    position.array[3 * k + 1] = y;
-    position.array[3 * k + 2] = z;
-    color.toArray(colors.array, 3 * k);
-    shapes.array[k] = shape;
+    this.#positions[3 * k] = x;
+    this.#positions[3 * k + 1] = y;
+    this.#positions[3 * k + 2] = z;
+    this.#colors[3 * k] = color.r;
+    this.#colors[3 * k + 1] = color.g;
+    this.#colors[3 * k + 2] = color.b;
+    this.#shapes[k] = shape;
   }
 
   end() {
-    const geometry = this.points.geometry;
-    geometry.setDrawRange(0, this.#count);
-    for (const name of ['position', 'color', 'shape']) geometry.attributes[name].needsUpdate = true;
+    this.#geometry.setDrawRange(0, this.#count);
+    const { position, color, shape } = /** @type {Record<string, THREE.BufferAttribute>} */ (this.#geometry.attributes);
+    for (const attribute of [position, color, shape]) attribute.needsUpdate = true;
   }
 
   /** @param {number} capacity */
   #reserve(capacity) {
     this.#capacity = capacity;
-    this.points.geometry.dispose();
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(3 * capacity), 3));
-    geometry.setAttribute('color', new THREE.BufferAttribute(new Float32Array(3 * capacity), 3));
-    geometry.setAttribute('shape', new THREE.BufferAttribute(new Float32Array(capacity), 1));
-    this.points.geometry = geometry;
+    this.#geometry.dispose();
+    this.#positions = new Float32Array(3 * capacity);
+    this.#colors = new Float32Array(3 * capacity);
+    this.#shapes = new Float32Array(capacity);
+    this.#geometry = new THREE.BufferGeometry();
+    this.#geometry.setAttribute('position', new THREE.BufferAttribute(this.#positions, 3));
+    this.#geometry.setAttribute('color', new THREE.BufferAttribute(this.#colors, 3));
+    this.#geometry.setAttribute('shape', new THREE.BufferAttribute(this.#shapes, 1));
+    this.points.geometry = this.#geometry;
   }
 }

@@ -11,8 +11,10 @@ export class Surroundings {
   grid = new THREE.Group();
   room = new THREE.Group();
   terrain = new THREE.Group();
-  unseen = new THREE.Points(new THREE.BufferGeometry(),
-    new THREE.PointsMaterial({ size: 2 * window.devicePixelRatio, sizeAttenuation: false, transparent: true, opacity: 0.45 }));
+  #unseenMaterial = new THREE.PointsMaterial({
+    size: 2 * window.devicePixelRatio, sizeAttenuation: false, transparent: true, opacity: 0.45,
+  });
+  unseen = new THREE.Points(new THREE.BufferGeometry(), this.#unseenMaterial);
   #seen = '';
 
   constructor() {
@@ -24,14 +26,15 @@ export class Surroundings {
   rebuild(info, extent) {
     for (const group of [this.grid, this.room, this.terrain]) group.remove(...group.children);
     this.#seen = '';
-    this.unseen.geometry.setDrawRange(0, 0);
+    this.unseen.geometry.dispose();
+    this.unseen.geometry = new THREE.BufferGeometry();
     this.grid.add(...groundGrid(extent));
     if (info.room) {
       this.room.add(boxEdges(info.room, '--gray'));
       for (const box of info.room.boxes ?? []) this.room.add(boxEdges(box, '--muted'), boxFaces(box));
     }
     if (info.terrain) this.terrain.add(terrainMesh(info.terrain));
-    this.unseen.material.color = sceneColor('--yellow');
+    this.#unseenMaterial.color = sceneColor('--yellow');
   }
 
   /** @param {Exploration | undefined} exploration */

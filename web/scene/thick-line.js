@@ -38,8 +38,9 @@ export class ThickLine {
   #count = 0;
   #capacity = 0;
   #version = -1;
-  /** @type {THREE.InstancedInterleavedBuffer} */
-  #buffer;
+  #numbers = new Float32Array(0);
+  #buffer = new THREE.InstancedInterleavedBuffer(this.#numbers, STRIDE, 1);
+  #geometry = new THREE.InstancedBufferGeometry();
 
   /** @param {number} widthPx @param {number} dashM length of a dash with its gap, m; 0: solid */
   constructor(widthPx, dashM) {
@@ -50,7 +51,7 @@ export class ThickLine {
     const material = new THREE.ShaderMaterial({
       vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, side: THREE.DoubleSide,
     });
-    this.mesh = new THREE.Mesh(new THREE.InstancedBufferGeometry(), material);
+    this.mesh = new THREE.Mesh(this.#geometry, material);
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = 1;
     this.#reserve(256);
@@ -66,13 +67,13 @@ export class ThickLine {
     const segments = Math.max(0, path.t.length - 1);
     if (segments > this.#capacity) this.#reserve(2 * segments);
     if (segments > this.#count) this.#append(path, segments);
-    this.mesh.geometry.maxInstancedCount = Math.max(0, Math.min(shown - 1, segments));
+    this.#geometry.maxInstancedCount = Math.max(0, Math.min(shown - 1, segments));
     this.mesh.visible = shown > 1;
   }
 
   /** @param {import('../state/path-store.js').PathStore} path @param {number} segments */
   #append({ t, xyz, longestGapS }, segments) {
-    const array = this.#buffer.array;
+    const array = this.#numbers;
     for (let k = this.#count; k < segments; ++k) {
       const joined = t[k + 1] - t[k] <= longestGapS;
       for (let i = 0; i < 6; ++i) array[STRIDE * k + i] = joined ? xyz[3 * k + i] : NaN;
@@ -87,15 +88,17 @@ export class ThickLine {
   #reserve(capacity) {
     this.#capacity = capacity;
     this.#count = 0;
-    this.mesh.geometry.dispose();
+    this.#geometry.dispose();
     const geometry = new THREE.InstancedBufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]), 3));
     geometry.setIndex([0, 1, 2, 0, 2, 3]);
-    this.#buffer = new THREE.InstancedInterleavedBuffer(new Float32Array(STRIDE * capacity), STRIDE, false, 1);
+    this.#numbers = new Float32Array(STRIDE * capacity);
+    this.#buffer = new THREE.InstancedInterleavedBuffer(this.#numbers, STRIDE, 1);
     geometry.setAttribute('start', new THREE.InterleavedBufferAttribute(this.#buffer, 3, 0));
     geometry.setAttribute('end', new THREE.InterleavedBufferAttribute(this.#buffer, 3, 3));
     geometry.setAttribute('along', new THREE.InterleavedBufferAttribute(this.#buffer, 1, 6));
     geometry.maxInstancedCount = 0;
+    this.#geometry = geometry;
     this.mesh.geometry = geometry;
   }
 }

@@ -18,28 +18,32 @@ const GAP_FRAMES = 20;
 /** Emits `info`, `series`, `snapshot`, `image` and `observability`. */
 export class RunState extends Emitter {
   sequence = new SequenceMonitor();
-
-  constructor() {
-    super();
-    this.reset();
-  }
+  /** @type {Info | null} */
+  info = null;
+  series = new Series();
+  /** @type {RunEvent[]} in order of frames */
+  events = [];
+  /** @type {Snapshot | null} the shown frame */
+  snapshot = null;
+  /** @type {Map<number, Snapshot>} by frame */
+  recent = new Map();
+  /** @type {{frame: number, jpeg: Blob} | null} */
+  image = null;
+  /** @type {Observability | null} */
+  observability = null;
+  /** @type {{estimate: PathStore, truth: PathStore}[]} one per body */
+  paths = [];
+  liveEvents = new LiveEvents();
 
   /** Forgets everything, for a new run. */
   reset() {
-    /** @type {Info | null} */
     this.info = null;
     this.series = new Series();
-    /** @type {RunEvent[]} in order of frames */
     this.events = [];
-    /** @type {Snapshot | null} the shown frame */
     this.snapshot = null;
-    /** @type {Map<number, Snapshot>} by frame */
     this.recent = new Map();
-    /** @type {{frame: number, jpeg: Blob} | null} */
     this.image = null;
-    /** @type {Observability | null} */
     this.observability = null;
-    /** @type {{estimate: PathStore, truth: PathStore}[]} one per body */
     this.paths = [];
     this.liveEvents = new LiveEvents();
     this.sequence.restart();

@@ -23,8 +23,7 @@ Eigen::Vector3d velocity_of(const ManualDrive& drive, double heading_rad) {
 
 FreeCameraMotion::Input<double> ManualFlight::act(const CameraState& estimate, const ManualDrive& drive,
                                                   double t, const ControlSettings& settings) {
-  if (!last_t_)
-    reference_ << free_camera::position(estimate), heading_of(free_camera::orientation(estimate));
+  if (!last_t_) reference_ << free_camera::position(estimate), heading_of(free_camera::orientation(estimate));
   const double dt = t - last_t_.value_or(t), rate = manual_turn_rate_rad_s * drive.turn;
   last_t_ = t;
   const Eigen::Vector3d velocity = velocity_of(drive, reference_[3]);
@@ -55,7 +54,7 @@ std::optional<UserCommand> ManualDisplay::show(const CameraState& estimate, cons
 
 SmallVector manual_input(const ManualDrive& drive, const SmallVector& most_input) {
   SmallVector input = SmallVector::Zero(most_input.size());
-  input[0] = drive.direction.x() * most_input[0];
+  if (input.size() > 0) input[0] = drive.direction.x() * most_input[0];
   if (input.size() > 1) input[1] = drive.turn * most_input[1];
   return input;
 }

@@ -12,8 +12,8 @@
 
 #include "incognita/analysis/evaluation/trajectory.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/files/tum.hpp"
 #include "incognita/record/files/csv_table.hpp"
+#include "incognita/record/files/tum.hpp"
 #include "incognita/report/figure_style.hpp"
 #include "incognita/report/gnuplot.hpp"
 

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 
 #include "incognita/messages/errors.hpp"
+#include "incognita/record/files/csv_table.hpp"
 #include "incognita/record/recorder.hpp"
 #include "incognita/report/child_process.hpp"
-#include "incognita/record/files/csv_table.hpp"
 #include "tests/record/file_size_limit.hpp"
 #include "tests/record/synthetic_run.hpp"
 #include "tests/scratch.hpp"

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <thread>
@@ -23,6 +24,7 @@
 #include "incognita/app/view/live_page.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/record/replay/recorded_run.hpp"
 #include "incognita/record/snapshot/interventions.hpp"
 
 namespace incognita {
@@ -41,6 +43,8 @@ struct Options {
   PageOptions page;
   std::optional<std::string> replay_commands;
 };
+
+constexpr std::size_t largest_settings = std::size_t{1} << 20;
 
 volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
@@ -111,14 +115,19 @@ void check(const Options& options) {
     throw InputError("--replay-commands and --view: only one of them at a time");
 }
 
-/// With the commands of an earlier run, its settings are the scenario unless another is given.
-void take_scenario_of_replayed(Options& options) {
-  if (!options.replay_commands || options.scenario_given) return;
+/// The scenario; without one, with the commands of an earlier run, the settings and the name of that run.
+LoadedScenario load_or_repeat(Options& options) {
+  if (!options.replay_commands || options.scenario_given) return load(options);
   const std::filesystem::path settings = std::filesystem::path(*options.replay_commands) / "effective.toml";
   if (!file_exists(settings))
     throw InputError(
         fmt::format("--replay-commands: {} is missing; name a run directory", settings.string()));
   options.scenario = settings.string();
+  LoadedScenario loaded = load(options);
+  if (loaded.overrides.empty()) loaded.settings_of_repeated_run = read_file(settings, largest_settings);
+  const std::string info = RecordedRun(*options.replay_commands).info_json();
+  loaded.name = nlohmann::json::parse(info).value("scenario", loaded.name);
+  return loaded;
 }
 
 /// One run from its start to its end. `page`: null without one.
@@ -207,12 +216,11 @@ int run_with_page(Options options) {
 int run(Options options) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed output pipe must not end the run
   check(options);
-  take_scenario_of_replayed(options);
   if (!options.view.empty()) {
     options.page.port = options.view.back();
     return run_with_page(options);
   }
-  const LoadedScenario loaded = load(options);
+  const LoadedScenario loaded = load_or_repeat(options);
   return exit_code(run_once(options, loaded, options.out.value_or("out/" + loaded.name), nullptr));
 }
 

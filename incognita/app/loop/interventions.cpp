@@ -58,7 +58,8 @@ void Interventions::change(const ChangeDecision& change) {
   std::vector<std::string> settings = settings_;
   for (const std::string& setting : change.settings) {
     if (!setting.starts_with(changeable))
-      throw std::invalid_argument(setting + ": only settings of `decision` can change during a run; start another");
+      throw std::invalid_argument(setting +
+                                  ": only settings of `decision` can change during a run; start another");
     settings.push_back(setting);
   }
   const LoadedScenario loaded = source_.reloaded(settings);

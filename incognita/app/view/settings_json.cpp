@@ -25,7 +25,7 @@ nlohmann::json as_json(const SettingInForce& setting) {
           {"default", std::visit(AsJson{}, value_of_toml(setting.default_value).value)},
           {"source", setting.source},
           {"allowed", setting.allowed},
-          {"words", words_of(setting.allowed)},
+          {"options", words_of(setting.allowed)},
           {"help", setting.help}};
 }
 

@@ -8,7 +8,7 @@
 
 namespace incognita {
 
-/// {"key", "value", "unit", "default", "source", "allowed", "help", "words"}; `words`: the values to choose from, where
+/// {"key", "value", "unit", "default", "source", "allowed", "help", "options"}; `options`: the values to choose from, where
 /// there are only some.
 std::string setting_json(const SettingInForce& setting);
 

@@ -180,6 +180,7 @@ LoadedScenario load_scenario(const std::string& path_or_name, std::span<const st
 }
 
 std::string effective_toml(const LoadedScenario& loaded) {
+  if (!loaded.settings_of_repeated_run.empty()) return loaded.settings_of_repeated_run;
   std::string text =
       fmt::format("# incognita {}: every setting in force, with its source and unit.\n# Scenario {}, {}\n",
                   INCOGNITA_VERSION, one_line(loaded.name), one_line(shown(loaded.file)));

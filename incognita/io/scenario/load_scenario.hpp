@@ -18,6 +18,8 @@ struct LoadedScenario {
   std::filesystem::path file;                  ///< "embedded:/..." if built in
   std::vector<SettingInForce> settings;        ///< all settings of this scenario, section by section
   std::map<std::string, std::string> sources;  ///< per key: "default", "room.toml:12", "--set", "--seed"
+  /// As an earlier run wrote them, which this one repeats; empty: see effective_toml()
+  std::string settings_of_repeated_run = {};
   std::vector<std::string> overrides;  ///< values replaced by the command line, one line each, for printing
 
   /// "default" for a setting that this scenario does not have.
@@ -39,7 +41,8 @@ struct Flag {
 LoadedScenario load_scenario(const std::string& path_or_name, std::span<const std::string> sets = {},
                              std::span<const Flag> flags = {});
 
-/// All settings with source, unit and meaning as comments: a scenario file that reproduces the run.
+/// All settings with source, unit and meaning as comments: a scenario file that reproduces the run. For a repeated run
+/// the text that it wrote.
 std::string effective_toml(const LoadedScenario& loaded);
 
 }  // namespace incognita

@@ -86,7 +86,8 @@ class Fields {
   std::vector<std::string> words(const char* key) {
     const Json& value = required(key);
     const auto is_text = [](const Json& entry) { return entry.is_string(); };
-    if (!value.is_array() || value.size() > most_settings || !std::all_of(value.begin(), value.end(), is_text))
+    if (!value.is_array() || value.size() > most_settings ||
+        !std::all_of(value.begin(), value.end(), is_text))
       wrong(key, value, fmt::format("a list of at most {} texts", most_settings));
     return value.get<std::vector<std::string>>();
   }
@@ -119,7 +120,8 @@ class Fields {
 
 DriveBody drive_from(Fields& fields) {
   DriveBody drive{fields.body()};
-  drive.direction = {fields.number("forward", -1, 1), fields.number("left", -1, 1), fields.number("up", -1, 1)};
+  drive.direction = {fields.number("forward", -1, 1), fields.number("left", -1, 1),
+                     fields.number("up", -1, 1)};
   drive.turn = fields.number("turn", -1, 1);
   return drive;
 }

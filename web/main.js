@@ -1,5 +1,5 @@
-// Start of the page: asks the program what it shows, then builds sources, state and views. Data flows one way: a source
-// writes the state, views read it.
+// Start of the page: asks the program what it shows, then builds sources, state and views. Data flows one
+// way: a source writes the state, views read it.
 import { fetchInfo, fetchMode, fetchSeries } from './connection/api.js';
 import { followLiveRun } from './connection/live-run.js';
 import { ReplayRun } from './connection/replay-run.js';
@@ -22,7 +22,12 @@ import { exposeForTests } from './test-access.js';
 
 const RETRY_MS = 2000;
 /** @type {[string, string][]} */
-const SPANS = [['Infinity', 'whole run'], ['60', '60 s'], ['20', '20 s'], ['5', '5 s']];
+const SPANS = [
+  ['Infinity', 'whole run'],
+  ['60', '60 s'],
+  ['20', '20 s'],
+  ['5', '5 s'],
+];
 
 /** @param {string} id @returns {HTMLElement} */
 const byId = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -34,7 +39,8 @@ async function start() {
   try {
     mode = await fetchMode();
   } catch (error) {
-    byId('mode').textContent = `The program does not answer (${/** @type {Error} */ (error).message}). Trying again …`;
+    byId('mode').textContent =
+      `The program does not answer (${/** @type {Error} */ (error).message}). Trying again …`;
     setTimeout(start, RETRY_MS);
     return;
   }
@@ -44,6 +50,10 @@ async function start() {
 /** @param {Session} session */
 function buildPage(session) {
   const { mode, runs: named, version } = session.mode;
+  if (named.length === 0) {
+    byId('runs').textContent = 'The program shows no run.';
+    return;
+  }
   const shown = named.slice(0, mode === 'live' ? 1 : 2);
   const runs = shown.map(() => new RunState());
   const clock = new Clock(runs);
@@ -65,15 +75,26 @@ function buildPage(session) {
   byId('bar').append(...(mode === 'live' ? [loop] : []), line);
 
   const replaying = () => clock.replaying;
-  const preset = (/** @type {import('./scene/view-control.js').Preset} */ which) => () => views.forEach((view) => view.preset(which));
+  const preset = (/** @type {import('./scene/view-control.js').Preset} */ which) => () =>
+    views.forEach((view) => view.preset(which));
   listenToShortcuts({
     ' ': () => (replaying() ? line.togglePlay() : session.control && loop.togglePause()),
     '.': () => (replaying() ? line.frame(1) : session.control && loop.step()),
-    ',': () => replaying() && line.frame(-1), ']': () => replaying() && line.event(1), '[': () => replaying() && line.event(-1),
-    1: preset('top'), 2: preset('side'), 3: preset('follow'), 0: preset('reset'),
-    n: () => session.control && newRun.open(), t: () => theme.click(), '?': () => help.showModal(),
+    ',': () => replaying() && line.frame(-1),
+    ']': () => replaying() && line.event(1),
+    '[': () => replaying() && line.event(-1),
+    1: preset('top'),
+    2: preset('side'),
+    3: preset('follow'),
+    0: preset('reset'),
+    n: () => session.control && newRun.open(),
+    t: () => theme.click(),
+    '?': () => help.showModal(),
   });
-  clock.on('time', () => replaying() && replays.forEach((replay) => replay.showTime(clock.time, clock.playing)));
+  clock.on(
+    'time',
+    () => replaying() && replays.forEach((replay) => replay.showTime(clock.time, clock.playing)),
+  );
   clock.on('playing', () => (line.hidden = !replaying()));
   clock.setReplaying(false);
   if (mode === 'live') startLive(runs[0], session, clock);
@@ -83,15 +104,30 @@ function buildPage(session) {
 /** @param {Clock} clock @param {HTMLElement} theme @param {HTMLDialogElement} help */
 function buildTools(clock, theme, help) {
   const span = select(SPANS, (value) => clock.setSpan(Number(value)));
-  const savePlots = () => document.querySelectorAll('svg.plot').forEach((svg, k) => {
-    const name = svg.closest('section')?.getAttribute('aria-label')?.toLowerCase().replace(/[^a-z]+/g, '-') ?? 'plot';
-    saveSvg({ svg: /** @type {SVGSVGElement} */ (svg), fileName: `${k + 1}-${name}` });
-  });
-  byId('tools').append(labeled('plots', span), button('Save plots', savePlots, { class: 'quiet save-plots', title: 'Save every plot as an SVG file' }),
-    theme, button('? Help', () => help.showModal(), { class: 'quiet' }));
+  const savePlots = () =>
+    document.querySelectorAll('svg.plot').forEach((svg, k) => {
+      const name =
+        svg
+          .closest('section')
+          ?.getAttribute('aria-label')
+          ?.toLowerCase()
+          .replace(/[^a-z]+/g, '-') ?? 'plot';
+      saveSvg({ svg: /** @type {SVGSVGElement} */ (svg), fileName: `${k + 1}-${name}` });
+    });
+  byId('tools').append(
+    labeled('plots', span),
+    button('Save plots', savePlots, { class: 'quiet save-plots', title: 'Save every plot as an SVG file' }),
+    theme,
+    button('? Help', () => help.showModal(), { class: 'quiet' }),
+  );
 }
 
-/** A live run that has ended can be replayed. @param {RunState} run @param {Session} session @param {Clock} clock */
+/**
+ * A live run that has ended can be replayed.
+ * @param {RunState} run
+ * @param {Session} session
+ * @param {Clock} clock
+ */
 function startLive(run, session, clock) {
   let ended = false;
   session.on('loop', () => {
@@ -108,11 +144,13 @@ function startLive(run, session, clock) {
 /** @param {RunState[]} runs @param {Session} session @param {Clock} clock */
 async function startReplay(runs, session, clock) {
   try {
-    await Promise.all(runs.map(async (run, index) => {
-      const [info, series] = await Promise.all([fetchInfo(index), fetchSeries(index)]);
-      run.setInfo(info);
-      run.setSeries(series);
-    }));
+    await Promise.all(
+      runs.map(async (run, index) => {
+        const [info, series] = await Promise.all([fetchInfo(index), fetchSeries(index)]);
+        run.setInfo(info);
+        run.setSeries(series);
+      }),
+    );
   } catch (error) {
     session.report(/** @type {Error} */ (error).message, 'The run could not be read:');
   }

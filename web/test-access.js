@@ -8,11 +8,21 @@ export function exposeForTests(runs, scenes) {
   /** @type {any} */ (window).incognita = {
     landmarkCount: () => first()?.landmarks.count ?? 0,
     ellipsoid: (/** @type {number} */ id) => first()?.landmarks.ellipsoid(id) ?? null,
-    get lastSeq() { return runs[0].sequence.lastSeq; },
-    get gaps() { return runs[0].sequence.gaps; },
-    get dropped() { return runs[0].sequence.dropped; },
-    get submitMs() { return first()?.submitMs ?? []; },
-    get snapshot() { return runs[0].snapshot; },
+    get lastSeq() {
+      return runs[0].sequence.lastSeq;
+    },
+    get gaps() {
+      return runs[0].sequence.gaps;
+    },
+    get dropped() {
+      return runs[0].sequence.dropped;
+    },
+    get submitMs() {
+      return first()?.submitMs ?? [];
+    },
+    get snapshot() {
+      return runs[0].snapshot;
+    },
     runs,
     scenes,
   };

@@ -19,7 +19,10 @@ function randomCovariance(next, scales) {
 }
 
 function close(actual, expected, tolerance, message) {
-  assert.ok(Math.abs(actual - expected) <= tolerance, `${message ?? ''} ${actual} is not within ${tolerance} of ${expected}`);
+  assert.ok(
+    Math.abs(actual - expected) <= tolerance,
+    `${message ?? ''} ${actual} is not within ${tolerance} of ${expected}`,
+  );
 }
 
 test('eigenvectors rebuild the matrix, are orthonormal, right-handed and in descending order', () => {
@@ -39,7 +42,13 @@ test('eigenvectors rebuild the matrix, are orthonormal, right-handed and in desc
         close(product, row === column ? 1 : 0, 1e-12, 'V V^T');
       }
     }
-    close(v[0] * (v[4] * v[8] - v[5] * v[7]) - v[1] * (v[3] * v[8] - v[5] * v[6]) + v[2] * (v[3] * v[7] - v[4] * v[6]), 1, 1e-12);
+    close(
+      v[0] * (v[4] * v[8] - v[5] * v[7]) -
+        v[1] * (v[3] * v[8] - v[5] * v[6]) +
+        v[2] * (v[3] * v[7] - v[4] * v[6]),
+      1,
+      1e-12,
+    );
   }
 });
 

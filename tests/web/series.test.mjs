@@ -35,7 +35,12 @@ test('a window takes one sample more on each side', () => {
 
 test('chi-square quantiles agree with tables', () => {
   // Exact 2.5 % and 97.5 % quantiles, e.g. Abramowitz and Stegun, table 26.8.
-  for (const [degrees, low, high] of [[4, 0.4844, 11.143], [10, 3.247, 20.483], [24, 12.401, 39.364], [100, 74.222, 129.561]]) {
+  for (const [degrees, low, high] of [
+    [4, 0.4844, 11.143],
+    [10, 3.247, 20.483],
+    [24, 12.401, 39.364],
+    [100, 74.222, 129.561],
+  ]) {
     assert.ok(Math.abs(chiSquareQuantile(degrees, Z_97_5) / high - 1) < 0.005);
     assert.ok(Math.abs(chiSquareQuantile(degrees, -Z_97_5) / low - 1) < 0.08);
     const [a, b] = normalizedBand95(degrees);
@@ -51,11 +56,24 @@ test('quantiles leave out what is not finite', () => {
 });
 
 test('scores are relative to stay, or else to the lowest', () => {
-  const { reference, scores } = relativeScores([{ action: 'left', score: 5 }, { action: 'stay', score: 3 }, { action: 'up' }]);
+  const { reference, scores } = relativeScores([
+    { action: 'left', score: 5 },
+    { action: 'stay', score: 3 },
+    { action: 'up' },
+  ]);
   assert.equal(reference, 'stay');
-  assert.deepEqual(scores.map((s) => s.relative), [2, 0, NaN]);
-  const without = relativeScores([{ action: 'a', score: -1 }, { action: 'b', score: -4 }]);
+  assert.deepEqual(
+    scores.map((s) => s.relative),
+    [2, 0, NaN],
+  );
+  const without = relativeScores([
+    { action: 'a', score: -1 },
+    { action: 'b', score: -4 },
+  ]);
   assert.equal(without.reference, 'b');
-  assert.deepEqual(without.scores.map((s) => s.relative), [3, 0]);
+  assert.deepEqual(
+    without.scores.map((s) => s.relative),
+    [3, 0],
+  );
   assert.equal(relativeScores([]).reference, '');
 });

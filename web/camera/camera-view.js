@@ -72,8 +72,11 @@ export class CameraView {
     const matches = imageMatches(snapshot);
     if (this.options.overlay) {
       drawMatches(context, matches, {
-        scale: width / camera.width, line: ratio, patchSize: this.run.info?.patch_size_px ?? 11,
-        color: brightColor, ids: this.options.ids,
+        scale: width / camera.width,
+        line: ratio,
+        patchSize: this.run.info?.patch_size_px ?? 11,
+        color: brightColor,
+        ids: this.options.ids,
       });
     }
     this.setNote(this.#note(snapshot));
@@ -101,8 +104,13 @@ function imageMatches(snapshot) {
 
 /** Colors over an image are the same in both themes: the light ones of the Okabe-Ito palette. */
 const OVER_IMAGE = {
-  '--green': '#2cc295', '--vermilion': '#ff7f3a', '--purple': '#f09fd0', '--orange': '#ffb000', '--gray': '#c8ced8',
-  '--sky': '#7fd0ff', '--blue': '#4aa8e0',
+  '--green': '#2cc295',
+  '--vermilion': '#ff7f3a',
+  '--purple': '#f09fd0',
+  '--orange': '#ffb000',
+  '--gray': '#c8ced8',
+  '--sky': '#7fd0ff',
+  '--blue': '#4aa8e0',
 };
 
 /** @param {string} name @returns {string} */

@@ -1,5 +1,6 @@
-// What is drawn over the image: search ellipses, patches, depth particles of rays. Units: pixels of the image; pixel (0,0)
-// is the center of the first pixel, so that an image position u lies at u + 0.5 pixel widths from the left edge.
+// What is drawn over the image: search ellipses, patches, depth particles of rays. Units: pixels of the
+// image; pixel (0,0) is the center of the first pixel, so that an image position u lies at u + 0.5 pixel
+// widths from the left edge.
 import { covarianceEllipse } from '../math/ellipse.js';
 import { OUTCOMES } from '../state/outcomes.js';
 /** @typedef {import('../state/types.js').Match} Match */
@@ -28,8 +29,10 @@ export function drawMatches(context, matches, style) {
     if (!outcome) continue;
     const color = style.color(outcome.color);
     if (match.particles) drawParticles(context, match.particles, color, style);
-    const paths = [...(match.predicted && match.innovation_cov ? [ellipsePath(match, style)] : []),
-      ...(match.measured ? [patchPath(match.measured, style)] : [])];
+    const paths = [
+      ...(match.predicted && match.innovation_cov ? [ellipsePath(match, style)] : []),
+      ...(match.measured ? [patchPath(match.measured, style)] : []),
+    ];
     for (const path of paths) {
       context.lineWidth = 2.4 * style.line;
       context.setLineDash([]);
@@ -41,7 +44,15 @@ export function drawMatches(context, matches, style) {
       context.stroke(path);
     }
     const center = match.measured ?? match.predicted;
-    if (center) drawMark(context, outcome.shape, at(center[0], style), at(center[1], style), MARK_PX * style.line, color);
+    if (center)
+      drawMark(
+        context,
+        outcome.shape,
+        at(center[0], style),
+        at(center[1], style),
+        MARK_PX * style.line,
+        color,
+      );
     if (center && style.ids) drawId(context, match.id, center, style);
   }
   context.setLineDash([]);
@@ -82,7 +93,12 @@ function drawParticles(context, particles, color, style) {
   context.globalAlpha = 1;
 }
 
-/** @param {CanvasRenderingContext2D} context @param {number} id @param {number[]} center @param {OverlayStyle} style */
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} id
+ * @param {number[]} center
+ * @param {OverlayStyle} style
+ */
 function drawId(context, id, [u, v], style) {
   context.font = `${11 * style.line}px system-ui, sans-serif`;
   context.lineWidth = 3 * style.line;
@@ -106,13 +122,26 @@ export function drawMark(context, shape, x, y, radius, color) {
   else if (shape === 'dot') path.arc(x, y, 0.35 * r, 0, 2 * Math.PI);
   else if (shape === 'diamond') {
     path.moveTo(x, y - r);
-    for (const [dx, dy] of [[r, 0], [0, r], [-r, 0]]) path.lineTo(x + dx, y + dy);
+    for (const [dx, dy] of [
+      [r, 0],
+      [0, r],
+      [-r, 0],
+    ])
+      path.lineTo(x + dx, y + dy);
     path.closePath();
   } else {
     stroked = true;
     const d = 0.75 * r;
-    if (shape === 'cross') segments(path, [[x - d, y - d, x + d, y + d], [x - d, y + d, x + d, y - d]]);
-    else if (shape === 'plus') segments(path, [[x - r, y, x + r, y], [x, y - r, x, y + r]]);
+    if (shape === 'cross')
+      segments(path, [
+        [x - d, y - d, x + d, y + d],
+        [x - d, y + d, x + d, y - d],
+      ]);
+    else if (shape === 'plus')
+      segments(path, [
+        [x - r, y, x + r, y],
+        [x, y - r, x, y + r],
+      ]);
     else if (shape === 'ring') path.arc(x, y, 0.7 * r, 0, 2 * Math.PI);
     else path.rect(x - d, y - d, 2 * d, 2 * d);
   }

@@ -59,7 +59,10 @@ export const fetchScenarios = () => fetchJson('api/scenarios');
  * @returns {Promise<{scenario: string, settings: Setting[]}>}
  */
 export const fetchConfig = (scenario, changes) =>
-  fetchJson('api/config', [['scenario', scenario], ...changes.map((change) => /** @type {[string, string]} */ (['set', change]))]);
+  fetchJson('api/config', [
+    ['scenario', scenario],
+    ...changes.map((change) => /** @type {[string, string]} */ (['set', change])),
+  ]);
 
 /** @param {number} run @param {number} frame @returns {Promise<Snapshot>} */
 export async function fetchFrame(run, frame) {

@@ -9,7 +9,10 @@ import { openLiveSocket } from './live-socket.js';
  * @param {Session} session
  */
 export function followLiveRun(run, session) {
-  /** Snapshots that arrive before the series of the past; null once the series are there. @type {any[] | null} */
+  /**
+   * Snapshots that arrive before the series of the past; null once the series are there.
+   * @type {any[] | null}
+   */
   let waiting = null;
   let generation = 0;
 

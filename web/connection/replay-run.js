@@ -67,8 +67,10 @@ export class ReplayRun {
     if (cached || frame >= this.run.series.t.length) return cached ?? /** @type {any} */ (undefined);
     const place = this.run.series.frames[frame] - this.run.series.frames[0];
     const image = this.run.info?.camera ? fetchImage(this.index, place) : null;
-    const request = Promise.all([fetchFrame(this.index, place), image]).then(
-      ([snapshot, blob]) => ({ snapshot, image: blob }));
+    const request = Promise.all([fetchFrame(this.index, place), image]).then(([snapshot, blob]) => ({
+      snapshot,
+      image: blob,
+    }));
     request.catch(() => this.#cache.delete(frame));
     this.#cache.set(frame, request);
     const oldest = this.#cache.keys().next().value;

@@ -1,5 +1,6 @@
-// Quantiles of the chi-square distribution by the cube-root normal approximation of Wilson and Hilferty (1931): within
-// 8 % of the exact one from 4 degrees of freedom on and within 3 % from 6 on, which suffices for a band in a plot.
+// Quantiles of the chi-square distribution by the cube-root normal approximation of Wilson and Hilferty
+// (1931): within 8 % of the exact one from 4 degrees of freedom on and within 3 % from 6 on, which suffices
+// for a band in a plot.
 
 export const Z_97_5 = 1.959963984540054;
 

@@ -1,4 +1,5 @@
-// Decimation of long series for drawing: least and largest value of each pixel column, so that no peak is lost.
+// Decimation of long series for drawing: least and largest value of each pixel column, so that no peak is
+// lost.
 
 /**
  * First and last index of values within [low, high] of an ascending array, one more on each side.
@@ -6,7 +7,10 @@
  * @returns {[number, number]} half-open range
  */
 export function indexRange(ascending, low, high) {
-  return [Math.max(0, lowerBound(ascending, low) - 1), Math.min(ascending.length, lowerBound(ascending, high) + 1)];
+  return [
+    Math.max(0, lowerBound(ascending, low) - 1),
+    Math.min(ascending.length, lowerBound(ascending, high) + 1),
+  ];
 }
 
 /**
@@ -25,8 +29,8 @@ export function lowerBound(ascending, value) {
 }
 
 /**
- * Indices that draw the same line at `columns` pixels: the extremes of each column in order of time. Gaps (values that
- * are not finite) stay as one index each.
+ * Indices that draw the same line at `columns` pixels: the extremes of each column in order of time. Gaps
+ * (values that are not finite) stay as one index each.
  * @param {ArrayLike<number>} t ascending
  * @param {ArrayLike<number>} y
  * @param {number} t0 @param {number} t1 limits of the drawing

@@ -30,7 +30,8 @@ export function driveOfKeys(codes) {
 }
 
 /**
- * Left stick: forward and left; right stick: turn and up (standard mapping of the Gamepad API: right and down positive).
+ * Left stick: forward and left; right stick: turn and up (standard mapping of the Gamepad API: right and down
+ * are positive).
  * @param {ArrayLike<number>} axes
  * @returns {Drive}
  */

@@ -5,7 +5,8 @@ import { symmetricEigen3 } from './symmetric-eigen.js';
  * Ellipse of `sigmas` standard deviations of a 2x2 covariance.
  * @param {ArrayLike<number>} covariance [s11, s12, s22]
  * @param {number} sigmas
- * @returns {{major: number, minor: number, angle: number}} half axes; angle of the major one from the first axis, rad
+ * @returns {{major: number, minor: number, angle: number}} half axes; angle of the major one from the first
+ *   axis, rad
  */
 export function covarianceEllipse(covariance, sigmas) {
   const [s11, s12, s22] = [covariance[0], covariance[1], covariance[2]];

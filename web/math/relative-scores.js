@@ -4,13 +4,17 @@
 
 /**
  * @param {{action: string, score?: number | null}[]} candidates
- * @returns {{reference: string, scores: RelativeScore[]}} `reference` is `stay`, or else the action of lowest score;
+ * @returns {{reference: string, scores: RelativeScore[]}} `reference` is `stay`, or else the action of lowest
+ *   score;
  *   NaN where a score is unknown
  */
 export function relativeScores(candidates) {
   const known = candidates.filter((candidate) => Number.isFinite(candidate.score));
   const stay = known.find((candidate) => candidate.action === 'stay');
-  const lowest = known.reduce((low, c) => (!low || Number(c.score) < Number(low.score) ? c : low), /** @type {any} */ (null));
+  const lowest = known.reduce(
+    (low, c) => (!low || Number(c.score) < Number(low.score) ? c : low),
+    /** @type {any} */ (null),
+  );
   const reference = stay ?? lowest;
   const scores = candidates.map(({ action, score }) => ({
     action,

@@ -11,7 +11,8 @@ export function unseenCenters(exploration) {
   for (let cell = 0; cell < nx * ny * nz; ++cell) {
     if ((bytes[cell >> 3] >> (cell & 7)) & 1) continue;
     const place = [cell % nx, Math.floor(cell / nx) % ny, Math.floor(cell / (nx * ny))];
-    for (let axis = 0; axis < 3; ++axis) centers.push(exploration.min[axis] + (place[axis] + 0.5) * exploration.cell_m);
+    for (let axis = 0; axis < 3; ++axis)
+      centers.push(exploration.min[axis] + (place[axis] + 0.5) * exploration.cell_m);
   }
   return Float32Array.from(centers);
 }

@@ -1,8 +1,12 @@
-// Eigenvalues and eigenvectors of a symmetric 3x3 matrix by cyclic Jacobi rotations
-// (Golub and Van Loan, Matrix Computations, 8.5). No allocation, so that it can run for every landmark of every frame.
+// Eigenvalues and eigenvectors of a symmetric 3x3 matrix by cyclic Jacobi rotations (Golub and Van Loan,
+// Matrix Computations, 8.5). No allocation, so that it can run for every landmark of every frame.
 
 const SWEEPS = 12;
-const ROTATIONS = [[0, 1], [0, 2], [1, 2]];
+const ROTATIONS = [
+  [0, 1],
+  [0, 2],
+  [1, 2],
+];
 const work = new Float64Array(9);
 
 /**
@@ -83,8 +87,10 @@ function swap(array, i, j) {
 
 /** @param {Float64Array} v */
 function makeRightHanded(v) {
-  const determinant = v[0] * (v[4] * v[8] - v[5] * v[7]) - v[1] * (v[3] * v[8] - v[5] * v[6]) +
-                      v[2] * (v[3] * v[7] - v[4] * v[6]);
+  const determinant =
+    v[0] * (v[4] * v[8] - v[5] * v[7]) -
+    v[1] * (v[3] * v[8] - v[5] * v[6]) +
+    v[2] * (v[3] * v[7] - v[4] * v[6]);
   if (determinant >= 0) return;
   v[6] = -v[6];
   v[7] = -v[7];

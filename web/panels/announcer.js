@@ -14,7 +14,9 @@ export function announcer(runs, session, clock) {
       const snapshot = run.snapshot;
       if (!snapshot || snapshot.state === state) return;
       state = snapshot.state;
-      say(`${runs.length > 1 ? `Run ${index + 1}: ` : ''}${state}${snapshot.reason ? `, ${snapshot.reason}` : ''}`);
+      say(
+        `${runs.length > 1 ? `Run ${index + 1}: ` : ''}${state}${snapshot.reason ? `, ${snapshot.reason}` : ''}`,
+      );
     });
   });
   let phase = '';

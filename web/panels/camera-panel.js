@@ -4,25 +4,51 @@ import { outcomeLegend } from '../camera/legend.js';
 import { button, download, element } from './dom.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 
-/** @param {RunState} run @param {string} name of the run, for files @returns {{element: HTMLElement, redraw: () => void}} */
+/**
+ * @param {RunState} run
+ * @param {string} name of the run, for files
+ * @returns {{element: HTMLElement, redraw: () => void}}
+ */
 export function cameraPanel(run, name) {
-  const canvas = element('canvas', { role: 'img', 'aria-label': 'Image of the camera with search ellipses and matches' });
+  const canvas = element('canvas', {
+    role: 'img',
+    'aria-label': 'Image of the camera with search ellipses and matches',
+  });
   const note = element('span', { class: 'note' });
   const view = new CameraView(canvas, run, (words) => (note.textContent = words));
   const toggle = (/** @type {'overlay' | 'ids'} */ option, /** @type {string} */ words) => {
-    const box = element('input', { type: 'checkbox', checked: view.options[option], onchange: () => {
-      view.options[option] = box.checked;
-      view.draw();
-    } });
+    const box = element('input', {
+      type: 'checkbox',
+      checked: view.options[option],
+      onchange: () => {
+        view.options[option] = box.checked;
+        view.draw();
+      },
+    });
     return element('label', { class: 'check' }, box, words);
   };
-  const made = element('section', { class: 'panel camera', 'aria-label': 'Camera' },
-    element('header', {}, element('h2', {}, 'Camera'), note, toggle('overlay', 'overlay'), toggle('ids', 'ids'),
-      button('PNG', async () => {
-        const png = await view.png();
-        if (png) download(`${name}-camera.png`, png);
-      }, { class: 'quiet', 'aria-label': 'Save the camera view as PNG', title: 'Save as PNG' })),
-    element('div', { class: 'canvas-host' }, canvas), outcomeLegend(true));
+  const made = element(
+    'section',
+    { class: 'panel camera', 'aria-label': 'Camera' },
+    element(
+      'header',
+      {},
+      element('h2', {}, 'Camera'),
+      note,
+      toggle('overlay', 'overlay'),
+      toggle('ids', 'ids'),
+      button(
+        'PNG',
+        async () => {
+          const png = await view.png();
+          if (png) download(`${name}-camera.png`, png);
+        },
+        { class: 'quiet', 'aria-label': 'Save the camera view as PNG', title: 'Save as PNG' },
+      ),
+    ),
+    element('div', { class: 'canvas-host' }, canvas),
+    outcomeLegend(true),
+  );
   const show = () => {
     const camera = run.info?.camera;
     made.hidden = run.info !== null && !camera;

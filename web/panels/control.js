@@ -18,18 +18,29 @@ export function controlPanel(run, session) {
     if (!info) return;
     const drive = info.manual ? driveControls(run, session) : null;
     release = drive?.release ?? release;
-    content.replaceChildren(decisionControls(info, session), ...(drive ? [drive.element] : []), disturbanceControls(info, session));
+    content.replaceChildren(
+      decisionControls(info, session),
+      ...(drive ? [drive.element] : []),
+      disturbanceControls(info, session),
+    );
   });
   return made;
 }
 
 /** @param {Info} info @param {Session} session @returns {HTMLElement} */
 function decisionControls(info, session) {
-  const rows = [['strategy', info.strategies], ['gaze', info.gazes]].flatMap(([key, words]) => {
+  const rows = [
+    ['strategy', info.strategies],
+    ['gaze', info.gazes],
+  ].flatMap(([key, words]) => {
     if (!Array.isArray(words) || words.length === 0) return [];
-    const change = (/** @type {string} */ value) => session.intervene({ type: 'set', settings: [`decision.${key}=${value}`] });
+    const change = (/** @type {string} */ value) =>
+      session.intervene({ type: 'set', settings: [`decision.${key}=${value}`] });
     const current = currentWord(info, String(key)) ?? words[0];
-    const made = select([...new Set([current, ...words])].map((word) => [word, word]), change);
+    const made = select(
+      [...new Set([current, ...words])].map((word) => [word, word]),
+      change,
+    );
     return [labeled(String(key), made)];
   });
   return element('fieldset', { hidden: rows.length === 0 }, element('legend', {}, 'Decision'), ...rows);

@@ -1,4 +1,5 @@
-// The chosen action in big type, and the score of every candidate relative to standing still. One group per body.
+// The chosen action in big type, and the score of every candidate relative to standing still. One group per
+// body.
 import { relativeScores } from '../math/relative-scores.js';
 import { onDemand } from '../state/draw-scheduler.js';
 import { element, panel } from './dom.js';
@@ -9,10 +10,15 @@ import { element, panel } from './dom.js';
 export function decisionPanel(run) {
   const groups = element('div', { class: 'decision-groups' });
   const made = panel('Decision', 'decision', groups);
-  run.on('snapshot info', onDemand(() => {
-    const bodies = run.snapshot?.bodies ?? [];
-    groups.replaceChildren(...bodies.map((body, index) => bodyGroup(body, bodies.length > 1 ? index + 1 : 0)));
-  }, 100));
+  run.on(
+    'snapshot info',
+    onDemand(() => {
+      const bodies = run.snapshot?.bodies ?? [];
+      groups.replaceChildren(
+        ...bodies.map((body, index) => bodyGroup(body, bodies.length > 1 ? index + 1 : 0)),
+      );
+    }, 100),
+  );
   return made;
 }
 
@@ -21,20 +27,45 @@ function bodyGroup(body, number) {
   const candidates = body.decision?.candidates ?? [];
   const chosen = body.decision?.chosen ?? -1;
   const { reference, scores } = relativeScores(candidates);
-  const words = body.manual ? 'taken over' : chosen >= 0 ? spoken(candidates[chosen]?.action ?? '') : 'no decision';
+  const words = body.manual
+    ? 'taken over'
+    : chosen >= 0
+      ? spoken(candidates[chosen]?.action ?? '')
+      : 'no decision';
   const largest = Math.max(...scores.map((s) => Math.abs(s.relative)).filter(Number.isFinite), 1e-9);
   const negative = Math.max(0, ...scores.map((s) => -s.relative).filter(Number.isFinite));
   const zero = negative / (negative + Math.max(largest, 1e-9));
   const span = negative + largest;
-  return element('div', { class: 'decision-body' },
+  return element(
+    'div',
+    { class: 'decision-body' },
     ...(number ? [element('h3', {}, `Body ${number}`)] : []),
     bigWords(words, chosen < 0),
-    element('ol', { class: 'scores' }, ...scores.map((score, k) => scoreRow(score, k === chosen, zero, span))),
-    ...(scores.length ? [element('p', { class: 'note' }, reference === 'stay' ? 'score − score of “stay”, nats'
-      : `no action “stay”: score − lowest score (${spoken(reference)}), nats`)] : []));
+    element(
+      'ol',
+      { class: 'scores' },
+      ...scores.map((score, k) => scoreRow(score, k === chosen, zero, span)),
+    ),
+    ...(scores.length
+      ? [
+          element(
+            'p',
+            { class: 'note' },
+            reference === 'stay'
+              ? 'score − score of “stay”, nats'
+              : `no action “stay”: score − lowest score (${spoken(reference)}), nats`,
+          ),
+        ]
+      : []),
+  );
 }
 
-/** As large as the width of the panel allows. @param {string} words @param {boolean} none @returns {HTMLElement} */
+/**
+ * As large as the width of the panel allows.
+ * @param {string} words
+ * @param {boolean} none
+ * @returns {HTMLElement}
+ */
 function bigWords(words, none) {
   const made = element('p', { class: `chosen${none ? ' none' : ''}` }, words);
   made.style.fontSize = `min(${none ? 26 : 52}px, ${Math.round(148 / Math.max(1, words.length))}cqi)`;
@@ -52,9 +83,13 @@ function scoreRow(score, chosen, zero, span) {
   bar.style.left = `${100 * (score.relative < 0 ? zero - size : zero)}%`;
   bar.style.width = `${100 * size}%`;
   const text = known ? `${score.relative > 0 ? '+' : ''}${score.relative.toFixed(1)}`.replace('-', '−') : '–';
-  return element('li', { class: chosen ? 'is-chosen' : '', 'aria-current': chosen ? 'true' : undefined },
+  return element(
+    'li',
+    { class: chosen ? 'is-chosen' : '', 'aria-current': chosen ? 'true' : undefined },
     element('span', { class: 'action' }, `${chosen ? '▶ ' : ''}${spoken(score.action)}`),
-    element('span', { class: 'track', 'aria-hidden': 'true' }, bar), element('span', { class: 'value' }, text));
+    element('span', { class: 'track', 'aria-hidden': 'true' }, bar),
+    element('span', { class: 'value' }, text),
+  );
 }
 
 /** @param {string} action */

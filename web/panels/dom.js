@@ -5,7 +5,8 @@
 /**
  * @template {keyof HTMLElementTagNameMap} Tag
  * @param {Tag} tag
- * @param {Attributes} [attributes] functions become listeners: {onclick: ...}; false and undefined are left out
+ * @param {Attributes} [attributes] functions become listeners: {onclick: ...}; false and undefined are left
+ *   out
  * @param {...(Node | string)} children
  * @returns {HTMLElementTagNameMap[Tag]}
  */
@@ -50,7 +51,12 @@ export function button(words, onclick, attributes = {}) {
  * @returns {HTMLElement}
  */
 export function panel(title, kind, ...children) {
-  return element('section', { class: `panel ${kind}`, 'aria-label': title }, element('h2', {}, title), ...children);
+  return element(
+    'section',
+    { class: `panel ${kind}`, 'aria-label': title },
+    element('h2', {}, title),
+    ...children,
+  );
 }
 
 /** @param {string} words @param {...Node} controls @returns {HTMLLabelElement} */
@@ -59,7 +65,8 @@ export function labeled(words, ...controls) {
 }
 
 /**
- * @param {[string, string][]} options value and words @param {(value: string) => void} onchange @param {Attributes} [attributes]
+ * @param {[string, string][]} options value and words @param {(value: string) => void} onchange @param
+ *   {Attributes} [attributes]
  * @returns {HTMLSelectElement}
  */
 export function select(options, onchange, attributes = {}) {

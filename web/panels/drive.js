@@ -1,4 +1,5 @@
-// Taking a body over: keys, buttons on the page and a gamepad give drive commands, which are sent on change only.
+// Taking a body over: keys, buttons on the page and a gamepad give drive commands, which are sent on change
+// only.
 import { DRIVE_KEYS, driveOfGamepad, driveOfKeys, sameDrive } from '../math/drive-command.js';
 import { bodySelect } from './disturbances.js';
 import { button, element, labeled, takesKeys } from './dom.js';
@@ -23,14 +24,31 @@ export function driveControls(run, session) {
   let padWasUsed = false;
   const body = () => Number(bodies.value);
   const takenOver = () => run.snapshot?.bodies[body() - 1]?.manual === true;
-  const pads = element('div', { class: 'drive-keys' }, ...ROWS.map((code) => holdButton(code, DRIVE_KEYS[code].words)));
-  const take = button('Take over', () => {
-    releaseKeys();
-    session.intervene({ type: takenOver() ? 'give-back' : 'take-over', body: body() });
-  }, { class: 'primary' });
-  const made = element('fieldset', { class: 'drive' }, element('legend', {}, 'Take over'),
-    element('div', { class: 'row' }, ...(bodies.options.length > 1 ? [labeled('body', bodies)] : []), take), pads,
-    element('p', { class: 'note' }, 'Hold keys or buttons. Gamepad: left stick moves, right stick turns and lifts.'));
+  const pads = element(
+    'div',
+    { class: 'drive-keys' },
+    ...ROWS.map((code) => holdButton(code, DRIVE_KEYS[code].words)),
+  );
+  const take = button(
+    'Take over',
+    () => {
+      releaseKeys();
+      session.intervene({ type: takenOver() ? 'give-back' : 'take-over', body: body() });
+    },
+    { class: 'primary' },
+  );
+  const made = element(
+    'fieldset',
+    { class: 'drive' },
+    element('legend', {}, 'Take over'),
+    element('div', { class: 'row' }, ...(bodies.options.length > 1 ? [labeled('body', bodies)] : []), take),
+    pads,
+    element(
+      'p',
+      { class: 'note' },
+      'Hold keys or buttons. Gamepad: left stick moves, right stick turns and lifts.',
+    ),
+  );
 
   /** @param {import('../math/drive-command.js').Drive} drive */
   function send(drive) {
@@ -39,7 +57,8 @@ export function driveControls(run, session) {
     session.intervene({ type: 'drive', body: body(), ...drive });
   }
   function sendKeys() {
-    for (const pad of /** @type {Iterable<HTMLElement>} */ (pads.children)) pad.classList.toggle('held', held.has(pad.dataset.code ?? ''));
+    for (const pad of /** @type {Iterable<HTMLElement>} */ (pads.children))
+      pad.classList.toggle('held', held.has(pad.dataset.code ?? ''));
     send(driveOfKeys(held));
   }
   function releaseKeys() {
@@ -55,8 +74,12 @@ export function driveControls(run, session) {
     };
     const isKey = (/** @type {KeyboardEvent} */ event) => event.key === 'Enter' || event.key === ' ';
     const made = button('', () => {}, {
-      'data-code': code, onpointerdown: () => press(true), onpointerup: () => press(false), onpointerleave: () => press(false),
-      onkeydown: (event) => isKey(event) && press(true), onkeyup: (event) => isKey(event) && press(false),
+      'data-code': code,
+      onpointerdown: () => press(true),
+      onpointerup: () => press(false),
+      onpointerleave: () => press(false),
+      onkeydown: (event) => isKey(event) && press(true),
+      onkeyup: (event) => isKey(event) && press(false),
     });
     made.append(element('kbd', {}, code.slice(3)), element('span', {}, words));
     return made;
@@ -68,7 +91,9 @@ export function driveControls(run, session) {
     take.textContent = words;
     made.classList.toggle('taken', taken);
     for (const pad of pads.querySelectorAll('button')) pad.disabled = !taken;
-    if (!taken) held.clear();
+    if (taken) return;
+    held.clear();
+    sent = REST;
   }
   function pollGamepad() {
     const pad = takenOver() ? navigator.getGamepads?.().find((candidate) => candidate) : null;
@@ -80,12 +105,24 @@ export function driveControls(run, session) {
   }
 
   const { signal } = listening;
-  document.addEventListener('keydown', (event) => {
-    if (!DRIVE_KEYS[event.code] || !takenOver() || takesKeys(event.target) || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    held.add(event.code);
-    sendKeys();
-  }, { signal });
+  document.addEventListener(
+    'keydown',
+    (event) => {
+      if (
+        !DRIVE_KEYS[event.code] ||
+        !takenOver() ||
+        takesKeys(event.target) ||
+        event.ctrlKey ||
+        event.metaKey ||
+        event.altKey
+      )
+        return;
+      event.preventDefault();
+      held.add(event.code);
+      sendKeys();
+    },
+    { signal },
+  );
   document.addEventListener('keyup', (event) => held.delete(event.code) && sendKeys(), { signal });
   window.addEventListener('blur', releaseKeys, { signal });
   const timer = setInterval(pollGamepad, GAMEPAD_PERIOD_MS);

@@ -3,7 +3,15 @@ import { button, element, labeled, select } from './dom.js';
 /** @typedef {import('../state/session.js').Session} Session */
 
 /** @type {[string, string][]} */
-const SPEEDS = [['0.25', '¼×'], ['0.5', '½×'], ['1', '1×'], ['2', '2×'], ['4', '4×'], ['8', '8×'], ['0', 'as fast as possible']];
+const SPEEDS = [
+  ['0.25', '¼×'],
+  ['0.5', '½×'],
+  ['1', '1×'],
+  ['2', '2×'],
+  ['4', '4×'],
+  ['8', '8×'],
+  ['0', 'as fast as possible'],
+];
 
 /**
  * @param {Session} session @param {() => void} openNewRun
@@ -17,14 +25,25 @@ export function loopBar(session, openNewRun) {
   const speed = select(SPEEDS, (value) => session.command({ type: 'speed', factor: Number(value) }));
   const stop = button('Stop', () => session.command({ type: 'stop' }));
   const words = element('span', { class: 'loop-state' });
-  const controls = session.control
-    ? [pause, stepButton, labeled('speed', speed), stop, button('New run…', openNewRun)] : [];
+  const running = element(
+    'span',
+    { class: 'loop-running' },
+    pause,
+    stepButton,
+    labeled('speed', speed),
+    stop,
+  );
+  const controls = session.control ? [running, button('New run…', openNewRun)] : [];
   session.on('loop', () => {
     const { paused, ended, speed: factor } = session.loop;
     pause.textContent = paused ? '▶ Resume' : '❚❚ Pause';
-    for (const control of [pause, stepButton, speed, stop]) control.disabled = ended !== null;
+    running.hidden = ended !== null;
     if (document.activeElement !== speed) speed.value = String(factor);
-    words.textContent = ended ? `ended: ${ended.status}${ended.reason ? `, ${ended.reason}` : ''}` : paused ? 'paused' : 'running';
+    words.textContent = ended
+      ? `ended: ${ended.status}${ended.reason ? `, ${ended.reason}` : ''}`
+      : paused
+        ? 'paused'
+        : 'running';
     words.dataset.state = ended ? 'ended' : paused ? 'paused' : 'running';
   });
   const bar = element('div', { class: 'loop-bar', role: 'group', 'aria-label': 'Loop' }, ...controls, words);

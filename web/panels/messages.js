@@ -1,4 +1,5 @@
-// Messages for the user: a lost connection, and what the program refused. Messages stay until they are closed.
+// Messages for the user: a lost connection, and what the program refused. Messages stay until they are
+// closed.
 import { button, element } from './dom.js';
 /** @typedef {import('../state/session.js').Session} Session */
 
@@ -7,8 +8,13 @@ export function messages(session) {
   const connection = element('p', { class: 'connection-lost', role: 'status', hidden: true });
   const title = element('strong');
   const text = element('pre');
-  const box = element('div', { class: 'message', role: 'alert', hidden: true }, title, text,
-    button('Close', () => (box.hidden = true)));
+  const box = element(
+    'div',
+    { class: 'message', role: 'alert', hidden: true },
+    title,
+    text,
+    button('Close', () => (box.hidden = true)),
+  );
   session.on('connection', () => {
     connection.hidden = session.connected;
     connection.textContent = `The connection to the program is lost. The next attempt is in ${session.retryInS} s.`;

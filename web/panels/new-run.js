@@ -17,21 +17,45 @@ export function newRunDialog(run, session) {
   });
   const about = element('p', { class: 'note' });
   const seed = element('input', { type: 'number', min: 0, step: 1, value: 1 });
-  const filter = element('input', { type: 'search', placeholder: 'Filter settings', 'aria-label': 'Filter settings', oninput: applyFilter });
+  const filter = element('input', {
+    type: 'search',
+    placeholder: 'Filter settings',
+    'aria-label': 'Filter settings',
+    oninput: applyFilter,
+  });
   const changedOnly = element('input', { type: 'checkbox', onchange: applyFilter });
   const form = element('div', { class: 'settings' });
   const answer = element('pre', { class: 'answer', role: 'status' });
-  const dialog = element('dialog', { class: 'new-run', 'aria-label': 'New run' },
-    element('header', {}, element('h2', {}, 'New run'), button('Close', () => dialog.close(), { class: 'quiet' })),
-    element('div', { class: 'new-run-top' }, labeled('scenario', scenarios), labeled('seed', seed),
-      element('label', { class: 'check' }, changedOnly, 'changed only'), filter),
-    about, form, answer,
-    element('footer', {}, button('Check', check), button('Start', start, { class: 'primary' })));
+  const dialog = element(
+    'dialog',
+    { class: 'new-run', 'aria-label': 'New run' },
+    element(
+      'header',
+      {},
+      element('h2', {}, 'New run'),
+      button('Close', () => dialog.close(), { class: 'quiet' }),
+    ),
+    element(
+      'div',
+      { class: 'new-run-top' },
+      labeled('scenario', scenarios),
+      labeled('seed', seed),
+      element('label', { class: 'check' }, changedOnly, 'changed only'),
+      filter,
+    ),
+    about,
+    form,
+    answer,
+    element('footer', {}, button('Check', check), button('Start', start, { class: 'primary' })),
+  );
   /** @type {{name: string, about: string}[]} */
   let known = [];
 
   function settingsText() {
-    return [`run.seed=${seed.value}`, ...[...changes].filter(([key]) => key !== 'run.seed').map(([key, text]) => `${key}=${text}`)];
+    return [
+      `run.seed=${seed.value}`,
+      ...[...changes].filter(([key]) => key !== 'run.seed').map(([key, text]) => `${key}=${text}`),
+    ];
   }
   function applyFilter() {
     const words = filter.value.trim().toLowerCase();
@@ -39,7 +63,9 @@ export function newRunDialog(run, session) {
       let shown = 0;
       for (const row of /** @type {NodeListOf<HTMLElement>} */ (group.querySelectorAll('.setting'))) {
         const name = row.querySelector('input, select')?.id ?? '';
-        row.hidden = (changedOnly.checked && !row.matches('.changed, .edited')) || !(name + row.textContent).toLowerCase().includes(words);
+        row.hidden =
+          (changedOnly.checked && !row.matches('.changed, .edited')) ||
+          !(name + row.textContent).toLowerCase().includes(words);
         if (!row.hidden) ++shown;
       }
       group.hidden = shown === 0;
@@ -56,10 +82,13 @@ export function newRunDialog(run, session) {
       const { settings } = await fetchConfig(scenario, settingsText());
       if (asked !== scenario) return false;
       const focused = document.activeElement?.id;
-      const open = [...form.querySelectorAll('details[open] summary')].map((summary) => summary.firstChild?.textContent);
+      const open = [...form.querySelectorAll('details[open] summary')].map(
+        (summary) => summary.firstChild?.textContent,
+      );
       form.replaceChildren(...settingsForm(settings, changes, () => (answer.textContent = '')));
       for (const group of form.querySelectorAll('details')) {
-        if (open.length) group.open = open.includes(group.querySelector('summary')?.firstChild?.textContent ?? '');
+        if (open.length)
+          group.open = open.includes(group.querySelector('summary')?.firstChild?.textContent ?? '');
       }
       if (focused) document.getElementById(focused)?.focus();
       applyFilter();

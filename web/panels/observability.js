@@ -10,10 +10,19 @@ export function observabilityPanel(run) {
     const { lines = [], directions = [] } = run.observability ?? {};
     made.hidden = lines.length === 0 && directions.length === 0;
     content.replaceChildren(
-      element('ul', { class: 'directions' }, ...directions.map(({ name, observable }) =>
-        element('li', { class: observable ? 'observable' : 'unobservable' },
-          `${observable ? '✓' : '✖'} ${name}${observable ? '' : ' unobservable'}`))),
-      ...lines.map((line) => element('p', {}, line)));
+      element(
+        'ul',
+        { class: 'directions' },
+        ...directions.map(({ name, observable }) =>
+          element(
+            'li',
+            { class: observable ? 'observable' : 'unobservable' },
+            `${observable ? '✓' : '✖'} ${name}${observable ? '' : ' unobservable'}`,
+          ),
+        ),
+      ),
+      ...lines.map((line) => element('p', {}, line)),
+    );
   };
   run.on('observability info', show);
   show();

@@ -18,14 +18,25 @@ export function runView(run, name, session, clock) {
   const scene = scenePanel(run, name);
   const camera = cameraPanel(run, name);
   const plots = new PlotSet(run, clock);
-  const made = element('section', { class: 'run', 'aria-label': `Run ${name}` }, statusLine(run, session),
-    element('div', { class: 'views' }, scene.element, camera.element,
+  const made = element(
+    'section',
+    { class: 'run', 'aria-label': `Run ${name}` },
+    statusLine(run, session),
+    element(
+      'div',
+      { class: 'views' },
+      scene.element,
+      camera.element,
       element('div', { class: 'side' }, decisionPanel(run), observabilityPanel(run)),
-      ...(session.control ? [controlPanel(run, session)] : [])),
-    plots.element);
+      ...(session.control ? [controlPanel(run, session)] : []),
+    ),
+    plots.element,
+  );
   run.on('info', () => made.classList.toggle('without-camera', run.info !== null && !run.info.camera));
   return {
-    element: made, preset: scene.preset, scene: scene.view,
+    element: made,
+    preset: scene.preset,
+    scene: scene.view,
     updateTheme() {
       scene.updateTheme();
       camera.redraw();

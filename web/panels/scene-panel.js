@@ -7,38 +7,88 @@ import { button, download, element } from './dom.js';
 
 /** @type {[string, string][]} */
 const LAYERS = [
-  ['estimate', 'estimated path and body'], ['truth', 'true path and body'], ['sigma', '2σ of the body'],
-  ['ellipsoids', '2σ of the landmarks'], ['markers', 'landmark markers'], ['anchors', 'anchors'], ['room', 'room'],
-  ['terrain', 'terrain'], ['unseen', 'unseen cells'], ['grid', 'ground grid, 1 m'],
+  ['estimate', 'estimated path and body'],
+  ['truth', 'true path and body'],
+  ['sigma', '2σ of the body'],
+  ['ellipsoids', '2σ of the landmarks'],
+  ['markers', 'landmark markers'],
+  ['anchors', 'anchors'],
+  ['room', 'room'],
+  ['terrain', 'terrain'],
+  ['unseen', 'unseen cells'],
+  ['grid', 'ground grid, 1 m'],
 ];
 /** @type {[Preset, string][]} */
-const PRESETS = [['top', 'Top'], ['side', 'Side'], ['follow', 'Follow'], ['reset', 'Reset']];
+const PRESETS = [
+  ['top', 'Top'],
+  ['side', 'Side'],
+  ['follow', 'Follow'],
+  ['reset', 'Reset'],
+];
 
 /**
  * @param {RunState} run @param {string} name of the run, for files
- * @returns {{element: HTMLElement, preset: (preset: Preset) => void, updateTheme: () => void, view: () => SceneView | null}}
+ * @returns {{element: HTMLElement, preset: (preset: Preset) => void, updateTheme: () => void, view: () =>
+ *   SceneView | null}}
  */
 export function scenePanel(run, name) {
   /** @type {SceneView | null} */
   let view = null;
-  const canvas = element('canvas', { tabindex: 0, 'aria-label':
-    '3-D scene. Arrow keys turn, shift and arrow keys shift, plus and minus zoom.' });
+  const canvas = element('canvas', {
+    tabindex: 0,
+    'aria-label': '3-D scene. Arrow keys turn, shift and arrow keys shift, plus and minus zoom.',
+  });
   const note = element('p', { class: 'scene-note' }, 'Loading the 3-D scene …');
   const preset = (/** @type {Preset} */ which) => view?.preset(which);
-  const layers = element('details', { class: 'layers' }, element('summary', {}, 'Layers'),
-    element('div', { class: 'layer-list' }, ...LAYERS.map(([layer, words]) => {
-      const box = element('input', { type: 'checkbox', checked: true, onchange: () => view?.setLayer(layer, box.checked) });
-      return element('label', { class: 'check' }, box, element('span', { class: `swatch ${layer}`, 'aria-hidden': 'true' }), words);
-    })));
-  const made = element('section', { class: 'panel scene', 'aria-label': '3-D scene' },
-    element('header', {}, element('h2', {}, 'Scene'), element('span', { class: 'note' }),
-      element('div', { class: 'buttons', role: 'group', 'aria-label': 'View' },
-        ...PRESETS.map(([which, words]) => button(words, () => preset(which), { class: 'quiet' }))),
-      layers, button('PNG', async () => {
-        const png = await view?.png();
-        if (png) download(`${name}-scene.png`, png);
-      }, { class: 'quiet', 'aria-label': 'Save the scene as PNG', title: 'Save as PNG' })),
-    element('div', { class: 'canvas-host' }, canvas, note), outcomeLegend(true));
+  const layers = element(
+    'details',
+    { class: 'layers' },
+    element('summary', {}, 'Layers'),
+    element(
+      'div',
+      { class: 'layer-list' },
+      ...LAYERS.map(([layer, words]) => {
+        const box = element('input', {
+          type: 'checkbox',
+          checked: true,
+          onchange: () => view?.setLayer(layer, box.checked),
+        });
+        return element(
+          'label',
+          { class: 'check' },
+          box,
+          element('span', { class: `swatch ${layer}`, 'aria-hidden': 'true' }),
+          words,
+        );
+      }),
+    ),
+  );
+  const made = element(
+    'section',
+    { class: 'panel scene', 'aria-label': '3-D scene' },
+    element(
+      'header',
+      {},
+      element('h2', {}, 'Scene'),
+      element('span', { class: 'note' }),
+      element(
+        'div',
+        { class: 'buttons', role: 'group', 'aria-label': 'View' },
+        ...PRESETS.map(([which, words]) => button(words, () => preset(which), { class: 'quiet' })),
+      ),
+      layers,
+      button(
+        'PNG',
+        async () => {
+          const png = await view?.png();
+          if (png) download(`${name}-scene.png`, png);
+        },
+        { class: 'quiet', 'aria-label': 'Save the scene as PNG', title: 'Save as PNG' },
+      ),
+    ),
+    element('div', { class: 'canvas-host' }, canvas, note),
+    outcomeLegend(true),
+  );
 
   layers.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape') return;
@@ -56,7 +106,8 @@ export function scenePanel(run, name) {
       note.remove();
     } catch (error) {
       const webgl = document.createElement('canvas').getContext('webgl') !== null;
-      note.textContent = webgl ? `The 3-D scene could not be loaded: ${/** @type {Error} */ (error).message}`
+      note.textContent = webgl
+        ? `The 3-D scene could not be loaded: ${/** @type {Error} */ (error).message}`
         : 'This browser offers no WebGL, so that the 3-D scene cannot be shown. Everything else works.';
       canvas.remove();
     }

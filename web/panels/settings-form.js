@@ -1,4 +1,5 @@
-// Form of all settings of a scenario: an input by the type of each value, in sections, with help and what is allowed.
+// Form of all settings of a scenario: an input by the type of each value, in sections, with help and what is
+// allowed.
 import { element, select } from './dom.js';
 /** @typedef {import('../state/types.js').Setting} Setting */
 
@@ -17,9 +18,17 @@ export function settingsForm(settings, changes, onchange) {
   }
   return [...sections].map(([section, members]) => {
     const changed = members.filter((setting) => isChanged(setting, changes)).length;
-    return element('details', { open: members.some(({ key }) => changes.has(key)) },
-      element('summary', {}, section, element('span', { class: 'count' }, ` ${members.length}${changed ? `, ${changed} changed` : ''}`)),
-      ...members.map((setting) => settingRow(setting, changes, onchange)));
+    return element(
+      'details',
+      { open: members.some(({ key }) => changes.has(key)) },
+      element(
+        'summary',
+        {},
+        section,
+        element('span', { class: 'count' }, ` ${members.length}${changed ? `, ${changed} changed` : ''}`),
+      ),
+      ...members.map((setting) => settingRow(setting, changes, onchange)),
+    );
   });
 }
 
@@ -40,10 +49,20 @@ function settingRow(setting, changes, onchange) {
   const input = inputOf(setting, changes.get(key) ?? asText(setting.value), change);
   input.id = `setting-${key}`;
   input.setAttribute('aria-describedby', `help-${key}`);
-  const row = element('div', { class: `setting${isChanged(setting, changes) ? ' changed' : ''}${changes.has(key) ? ' edited' : ''}` },
-    element('label', { for: input.id }, key.split('.').slice(1).join('.')), input, element('span', { class: 'unit' }, unit),
-    element('p', { class: 'note', id: `help-${key}` },
-      [help, allowed && `Allowed: ${allowed}.`, `Default: ${asText(setting.default)}; from ${source}.`].filter(Boolean).join(' · ')));
+  const row = element(
+    'div',
+    { class: `setting${isChanged(setting, changes) ? ' changed' : ''}${changes.has(key) ? ' edited' : ''}` },
+    element('label', { for: input.id }, key.split('.').slice(1).join('.')),
+    input,
+    element('span', { class: 'unit' }, unit),
+    element(
+      'p',
+      { class: 'note', id: `help-${key}` },
+      [help, allowed && `Allowed: ${allowed}.`, `Default: ${asText(setting.default)}; from ${source}.`]
+        .filter(Boolean)
+        .join(' · '),
+    ),
+  );
   return row;
 }
 
@@ -53,12 +72,19 @@ function settingRow(setting, changes, onchange) {
  */
 function inputOf({ value, options }, text, change) {
   if (typeof value === 'boolean') {
-    const box = element('input', { type: 'checkbox', checked: text === 'true', onchange: () => change(String(box.checked)) });
+    const box = element('input', {
+      type: 'checkbox',
+      checked: text === 'true',
+      onchange: () => change(String(box.checked)),
+    });
     return box;
   }
   if (options?.length && typeof value === 'string') {
     const words = options.includes(text) ? options : [text, ...options];
-    const made = select(words.map((word) => [word, word]), change);
+    const made = select(
+      words.map((word) => [word, word]),
+      change,
+    );
     made.value = text;
     return made;
   }

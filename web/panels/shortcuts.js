@@ -6,7 +6,8 @@ export function listenToShortcuts(actions) {
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     const onControl = event.target instanceof HTMLElement && event.target.matches('button, summary, input');
-    if (takesKeys(event.target) || (onControl && event.key === ' ') || document.querySelector('dialog[open]')) return;
+    if (takesKeys(event.target) || (onControl && event.key === ' ') || document.querySelector('dialog[open]'))
+      return;
     const action = actions[event.key.toLowerCase()];
     if (!action) return;
     event.preventDefault();

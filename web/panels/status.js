@@ -20,7 +20,11 @@ export function statusLine(run, session) {
   const live = session.mode.mode === 'live';
   const facts = ['time', 'frame', 'landmarks', 'matched', ...(live ? ['dropped', 'viewers'] : [])];
   const values = Object.fromEntries(facts.map((fact) => [fact, element('dd')]));
-  const list = element('dl', {}, ...facts.map((fact) => element('div', {}, element('dt', {}, fact), values[fact])));
+  const list = element(
+    'dl',
+    {},
+    ...facts.map((fact) => element('div', {}, element('dt', {}, fact), values[fact])),
+  );
   const banner = element('p', { class: 'lost-banner', role: 'alert', hidden: true });
   const line = element('div', { class: 'status' }, name, badge, reason, list);
 
@@ -34,8 +38,12 @@ export function statusLine(run, session) {
     reason.title = reason.textContent;
     name.textContent = info ? `${info.name}, seed ${info.seed}` : '';
     values.time.textContent = snapshot ? `${snapshot.t.toFixed(2)} s` : '–';
-    values.frame.textContent = snapshot ? `${snapshot.frame}${info?.expected_frames ? ` of ${info.expected_frames}` : ''}` : '–';
-    values.landmarks.textContent = String(snapshot?.landmark_ids?.length ?? snapshot?.landmarks?.length ?? '–');
+    values.frame.textContent = snapshot
+      ? `${snapshot.frame}${info?.expected_frames ? ` of ${info.expected_frames}` : ''}`
+      : '–';
+    values.landmarks.textContent = String(
+      snapshot?.landmark_ids?.length ?? snapshot?.landmarks?.length ?? '–',
+    );
     values.matched.textContent = snapshot ? `${snapshot.matched} of ${snapshot.predicted}` : '–';
     const lost = state === 'lost';
     if (banner.hidden === lost) {

@@ -11,16 +11,23 @@ export function applyTheme() {
 
 /** @param {() => void} onchange @returns {HTMLButtonElement} */
 export function themeButton(onchange) {
-  const dark = () => (document.documentElement.dataset.theme ?? (systemDark().matches ? 'dark' : 'light')) === 'dark';
+  const dark = () =>
+    (document.documentElement.dataset.theme ?? (systemDark().matches ? 'dark' : 'light')) === 'dark';
   const show = () => (made.textContent = dark() ? '☀ Light' : '☾ Dark');
-  const made = button('', () => {
-    document.documentElement.dataset.theme = dark() ? 'light' : 'dark';
-    try {
-      localStorage.setItem(KEY, document.documentElement.dataset.theme);
-    } catch { /* the choice then holds until the page is closed */ }
-    show();
-    onchange();
-  }, { class: 'quiet', title: 'Change between light and dark (T)' });
+  const made = button(
+    '',
+    () => {
+      document.documentElement.dataset.theme = dark() ? 'light' : 'dark';
+      try {
+        localStorage.setItem(KEY, document.documentElement.dataset.theme);
+      } catch {
+        /* the choice then holds until the page is closed */
+      }
+      show();
+      onchange();
+    },
+    { class: 'quiet', title: 'Change between light and dark (T)' },
+  );
   systemDark().addEventListener('change', () => {
     show();
     onchange();

@@ -7,16 +7,29 @@ import { button, element, labeled, select, svgElement } from './dom.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 
 /** @type {[string, string][]} */
-const SPEEDS = [['0.25', '¼×'], ['0.5', '½×'], ['1', '1×'], ['2', '2×'], ['4', '4×'], ['8', '8×'], ['16', '16×']];
+const SPEEDS = [
+  ['0.25', '¼×'],
+  ['0.5', '½×'],
+  ['1', '1×'],
+  ['2', '2×'],
+  ['4', '4×'],
+  ['8', '8×'],
+  ['16', '16×'],
+];
 /** Height and color of the mark of each kind of event. @type {Record<string, [number, string]>} */
 const MARKS = {
-  initialized: [4, '--sky'], removed: [4, '--gray'], decision: [7, '--blue'], relocated: [12, '--green'],
-  disturbance: [12, '--orange'], lost: [14, '--vermilion'],
+  initialized: [4, '--sky'],
+  removed: [4, '--gray'],
+  decision: [7, '--blue'],
+  relocated: [12, '--green'],
+  disturbance: [12, '--orange'],
+  lost: [14, '--vermilion'],
 };
 
 /**
  * @param {RunState[]} runs @param {Clock} clock
- * @returns {HTMLElement & {togglePlay: () => void, frame: (direction: 1 | -1) => void, event: (direction: 1 | -1) => void}}
+ * @returns {HTMLElement & {togglePlay: () => void, frame: (direction: 1 | -1) => void, event: (direction: 1 |
+ *   -1) => void}}
  */
 export function timeline(runs, clock) {
   const times = () => runs.map((run) => run.series.t);
@@ -41,7 +54,13 @@ export function timeline(runs, clock) {
     eventText.textContent = `${nearest.kind}: ${nearest.text}`;
   };
   const play = button('▶', togglePlay, { class: 'primary play', 'aria-label': 'Play' });
-  const slider = element('input', { type: 'range', min: 0, max: 1, step: 'any', value: 0, 'aria-label': 'Time',
+  const slider = element('input', {
+    type: 'range',
+    min: 0,
+    max: 1,
+    step: 'any',
+    value: 0,
+    'aria-label': 'Time',
     oninput: () => {
       clock.setPlaying(false);
       clock.seek(slider.valueAsNumber);
@@ -50,19 +69,40 @@ export function timeline(runs, clock) {
       if (key.key !== 'ArrowRight' && key.key !== 'ArrowLeft') return;
       key.preventDefault();
       frame(key.key === 'ArrowRight' ? 1 : -1);
-    } });
+    },
+  });
   const speed = select(SPEEDS, (value) => (clock.speed = Number(value)), { 'aria-label': 'Speed' });
   speed.value = '1';
   const kinds = select([['', 'any event']], () => {}, { 'aria-label': 'Kind of event' });
   const timeText = element('output', { class: 'time-text' });
   const eventText = element('span', { class: 'note event-text', role: 'status' });
-  const marks = svgElement('svg', { class: 'event-marks', 'aria-hidden': 'true', preserveAspectRatio: 'none' });
-  const bar = element('div', { class: 'timeline', role: 'group', 'aria-label': 'Replay' },
-    element('div', { class: 'timeline-buttons' }, button('◀|', () => frame(-1), { 'aria-label': 'Previous frame', title: 'Previous frame (,)' }), play,
-      button('|▶', () => frame(1), { 'aria-label': 'Next frame', title: 'Next frame (.)' }), timeText, speed),
+  const marks = svgElement('svg', {
+    class: 'event-marks',
+    'aria-hidden': 'true',
+    preserveAspectRatio: 'none',
+  });
+  const bar = element(
+    'div',
+    { class: 'timeline', role: 'group', 'aria-label': 'Replay' },
+    element(
+      'div',
+      { class: 'timeline-buttons' },
+      button('◀|', () => frame(-1), { 'aria-label': 'Previous frame', title: 'Previous frame (,)' }),
+      play,
+      button('|▶', () => frame(1), { 'aria-label': 'Next frame', title: 'Next frame (.)' }),
+      timeText,
+      speed,
+    ),
     element('div', { class: 'track' }, marks, slider),
-    element('div', { class: 'timeline-buttons' }, button('‹ event', () => event(-1), { 'aria-label': 'Previous event', title: 'Previous event ([)' }), kinds,
-      button('event ›', () => event(1), { 'aria-label': 'Next event', title: 'Next event (])' }), eventText));
+    element(
+      'div',
+      { class: 'timeline-buttons' },
+      button('‹ event', () => event(-1), { 'aria-label': 'Previous event', title: 'Previous event ([)' }),
+      kinds,
+      button('event ›', () => event(1), { 'aria-label': 'Next event', title: 'Next event (])' }),
+      eventText,
+    ),
+  );
 
   clock.on('time', () => {
     slider.value = String(clock.time);
@@ -80,7 +120,9 @@ export function timeline(runs, clock) {
     drawMarks(marks, runs, first, last);
     const kept = kinds.value;
     const all = [...new Set(runs.flatMap((run) => eventKinds(run.events)))];
-    kinds.replaceChildren(...['', ...all].map((kind) => element('option', { value: kind }, kind || 'any event')));
+    kinds.replaceChildren(
+      ...['', ...all].map((kind) => element('option', { value: kind }, kind || 'any event')),
+    );
     kinds.value = all.includes(kept) ? kept : '';
   });
   for (const run of runs) run.on('series', () => clock.replaying && showSeries());
@@ -98,10 +140,14 @@ function drawMarks(svg, runs, first, last) {
     if (!places.has(kind)) places.set(kind, new Set());
     places.get(kind)?.add(Math.round(((t - first) / (last - first || 1)) * width));
   }
-  svg.replaceChildren(...[...places].sort(([a], [b]) => (MARKS[a]?.[0] ?? 4) - (MARKS[b]?.[0] ?? 4)).map(([kind, xs]) => {
-    const [height, color] = MARKS[kind] ?? [4, '--gray'];
-    const path = svgElement('path', { d: [...xs].map((x) => `M${x} 14v${-height}`).join('') });
-    path.style.stroke = `var(${color})`;
-    return path;
-  }));
+  svg.replaceChildren(
+    ...[...places]
+      .sort(([a], [b]) => (MARKS[a]?.[0] ?? 4) - (MARKS[b]?.[0] ?? 4))
+      .map(([kind, xs]) => {
+        const [height, color] = MARKS[kind] ?? [4, '--gray'];
+        const path = svgElement('path', { d: [...xs].map((x) => `M${x} 14v${-height}`).join('') });
+        path.style.stroke = `var(${color})`;
+        return path;
+      }),
+  );
 }

@@ -31,12 +31,19 @@ export class LinePlot {
   /** Height above the drawing, for the legend. */
   #top = 19;
 
-  /** @param {string} title @param {string} fileName @param {Clock} clock @param {string} [about] for screen readers and as a tooltip */
+  /**
+   * @param {string} title
+   * @param {string} fileName
+   * @param {Clock} clock
+   * @param {string} [about] for screen readers and as a tooltip
+   */
   constructor(title, fileName, clock, about = title) {
     this.title = title;
     this.fileName = fileName;
     this.clock = clock;
-    this.svg = /** @type {SVGSVGElement} */ (svgElement('svg', { class: 'plot', role: 'img', 'aria-label': about }));
+    this.svg = /** @type {SVGSVGElement} */ (
+      svgElement('svg', { class: 'plot', role: 'img', 'aria-label': about })
+    );
     this.root = d3.select(this.svg);
     this.root.append('title').text(about);
     this.bandPath = this.root.append('path').attr('class', 'band');
@@ -60,8 +67,13 @@ export class LinePlot {
     this.#top = this.#breakOf(this.#entries(data.t.length - 1), width) > 0 ? 19 + LEGEND_ROW_PX : 19;
     const columns = width - MARGIN.left - MARGIN.right;
     this.#x.domain(data.range).range([MARGIN.left, width - MARGIN.right]);
-    const kept = data.lines.map((line) => decimate(data.t, line.values, data.range[0], data.range[1], columns));
-    const y = d3.scaleLinear().domain(data.domain ?? domainOf(data.lines, kept)).range([height - MARGIN.bottom, this.#top]);
+    const kept = data.lines.map((line) =>
+      decimate(data.t, line.values, data.range[0], data.range[1], columns),
+    );
+    const y = d3
+      .scaleLinear()
+      .domain(data.domain ?? domainOf(data.lines, kept))
+      .range([height - MARGIN.bottom, this.#top]);
     this.#drawAxes(y, columns, height);
     this.#drawBand(y, columns);
     this.#drawLines(y, kept);
@@ -74,44 +86,75 @@ export class LinePlot {
     const data = this.#data;
     if (!data) return;
     const hovered = Number.isFinite(this.clock.cursor);
-    const time = hovered ? this.clock.cursor : this.clock.replaying ? this.clock.time : data.t[data.t.length - 1];
+    const time = hovered
+      ? this.clock.cursor
+      : this.clock.replaying
+        ? this.clock.time
+        : data.t[data.t.length - 1];
     const inside = time >= data.range[0] && time <= data.range[1] && (hovered || this.clock.replaying);
     const x = this.#x(time);
-    this.cursor.attr('visibility', inside ? 'visible' : 'hidden').attr('x1', x).attr('x2', x)
-      .attr('y1', this.#top).attr('y2', Number(this.root.attr('height')) - MARGIN.bottom);
+    this.cursor
+      .attr('visibility', inside ? 'visible' : 'hidden')
+      .attr('x1', x)
+      .attr('x2', x)
+      .attr('y1', this.#top)
+      .attr('y2', Number(this.root.attr('height')) - MARGIN.bottom);
     const index = Math.min(data.t.length - 1, Math.max(0, lowerBound(data.t, time + 1e-9) - 1));
     const spans = this.#entries(index);
     const second = this.#breakOf(spans, Number(this.root.attr('width')));
     const breaks = (/** @type {number} */ k) => k > 0 && k === second && this.#top > 19;
-    this.legend.selectAll('tspan').data(spans).join('tspan')
+    this.legend
+      .selectAll('tspan')
+      .data(spans)
+      .join('tspan')
       .attr('x', (/** @type {any} */ _, /** @type {number} */ k) => (breaks(k) ? 2 : null))
       .attr('dy', (/** @type {any} */ _, /** @type {number} */ k) => (breaks(k) ? LEGEND_ROW_PX : null))
       .attr('dx', (/** @type {any} */ _, /** @type {number} */ k) => (k && !breaks(k) ? ENTRY_GAP_PX : 0))
       .attr('class', (/** @type {any} */ span) => (span.bold ? 'title' : 'value'))
-      .style('fill', (/** @type {any} */ span) => `var(${span.color})`).text((/** @type {any} */ span) => span.text);
+      .style('fill', (/** @type {any} */ span) => `var(${span.color})`)
+      .text((/** @type {any} */ span) => span.text);
   }
 
   /** Entries of the legend with the values of one frame. @param {number} index */
   #entries(index) {
     const { lines, note } = /** @type {PlotData} */ (this.#data);
-    return [{ text: this.title, color: '--muted', bold: true },
-      ...lines.map((line) => ({ text: `${line.label} ${shortNumber(line.values[index])}`.trim(), color: line.color, bold: false })),
-      ...(note ? [{ ...note, bold: false }] : [])];
+    return [
+      { text: this.title, color: '--muted', bold: true },
+      ...lines.map((line) => ({
+        text: `${line.label} ${shortNumber(line.values[index])}`.trim(),
+        color: line.color,
+        bold: false,
+      })),
+      ...(note ? [{ ...note, bold: false }] : []),
+    ];
   }
 
-  /** First entry of the second row of the legend, 0 when one row is enough. @param {{text: string}[]} entries @param {number} width */
+  /**
+   * First entry of the second row of the legend, 0 when one row is enough.
+   * @param {{text: string}[]} entries
+   * @param {number} width
+   */
   #breakOf(entries, width) {
     let used = 0;
-    return Math.max(0, entries.findIndex(({ text }) => (used += text.length * LETTER_PX + ENTRY_GAP_PX) > width));
+    return Math.max(
+      0,
+      entries.findIndex(({ text }) => (used += text.length * LETTER_PX + ENTRY_GAP_PX) > width),
+    );
   }
 
   /** @param {any} y @param {number} columns @param {number} height */
   #drawAxes(y, columns, height) {
     const ticksY = Math.max(2, Math.floor((height - this.#top - MARGIN.bottom) / 28));
-    this.axisX.attr('transform', `translate(0,${height - MARGIN.bottom})`)
-      .call(d3.axisBottom(this.#x).ticks(Math.max(2, columns / 70)).tickSize(3).tickPadding(2)
-        .tickFormat((/** @type {number} */ t) => `${t} s`));
-    this.axisY.attr('transform', `translate(${MARGIN.left},0)`)
+    this.axisX.attr('transform', `translate(0,${height - MARGIN.bottom})`).call(
+      d3
+        .axisBottom(this.#x)
+        .ticks(Math.max(2, columns / 70))
+        .tickSize(3)
+        .tickPadding(2)
+        .tickFormat((/** @type {number} */ t) => `${t} s`),
+    );
+    this.axisY
+      .attr('transform', `translate(${MARGIN.left},0)`)
       .call(d3.axisLeft(y).ticks(ticksY).tickSize(-columns).tickPadding(4).tickFormat(shortNumber));
   }
 
@@ -122,23 +165,38 @@ export class LinePlot {
       this.bandPath.attr('d', null);
       return;
     }
-    const kept = [...new Set([...decimate(t, band.high, ...range, columns), ...decimate(t, band.low, ...range, columns)])].sort((a, b) => a - b);
+    const kept = [
+      ...new Set([...decimate(t, band.high, ...range, columns), ...decimate(t, band.low, ...range, columns)]),
+    ].sort((a, b) => a - b);
     const [bottom, top] = y.range();
     const inside = (/** @type {number} */ value) => Math.min(bottom, Math.max(top, y(value)));
-    const area = d3.area().defined((/** @type {number} */ i) => Number.isFinite(band.low[i]) && Number.isFinite(band.high[i]))
-      .x((/** @type {number} */ i) => this.#clampX(t[i])).y0((/** @type {number} */ i) => inside(band.low[i]))
+    const area = d3
+      .area()
+      .defined((/** @type {number} */ i) => Number.isFinite(band.low[i]) && Number.isFinite(band.high[i]))
+      .x((/** @type {number} */ i) => this.#clampX(t[i]))
+      .y0((/** @type {number} */ i) => inside(band.low[i]))
       .y1((/** @type {number} */ i) => inside(band.high[i]));
-    this.bandPath.attr('d', area(kept)).style('fill', `var(${band.color})`).style('stroke', `var(${band.color})`);
+    this.bandPath
+      .attr('d', area(kept))
+      .style('fill', `var(${band.color})`)
+      .style('stroke', `var(${band.color})`);
   }
 
   /** @param {any} y @param {number[][]} kept */
   #drawLines(y, kept) {
     const { t, lines } = /** @type {PlotData} */ (this.#data);
     const [bottom, top] = y.range();
-    const path = (/** @type {Line} */ line, /** @type {number} */ k) => d3.line()
-      .defined((/** @type {number} */ i) => Number.isFinite(line.values[i])).x((/** @type {number} */ i) => this.#clampX(t[i]))
-      .y((/** @type {number} */ i) => Math.min(bottom, Math.max(top, y(line.values[i]))))(kept[k]);
-    this.lines.selectAll('path').data(lines).join('path').attr('d', path)
+    const path = (/** @type {Line} */ line, /** @type {number} */ k) =>
+      d3
+        .line()
+        .defined((/** @type {number} */ i) => Number.isFinite(line.values[i]))
+        .x((/** @type {number} */ i) => this.#clampX(t[i]))
+        .y((/** @type {number} */ i) => Math.min(bottom, Math.max(top, y(line.values[i]))))(kept[k]);
+    this.lines
+      .selectAll('path')
+      .data(lines)
+      .join('path')
+      .attr('d', path)
       .attr('stroke-dasharray', (/** @type {Line} */ line) => line.dash ?? null)
       .style('stroke', (/** @type {Line} */ line) => `var(${line.color})`);
   }
@@ -184,7 +242,13 @@ export function shortNumber(value) {
   if (!Number.isFinite(value)) return '–';
   const size = Math.abs(value);
   if (size === 0) return '0';
-  const text = size >= 99.5 ? value.toFixed(0) : size >= 0.995 ? value.toPrecision(3) : size >= 1e-5 ? value.toFixed(
-    Math.min(6, 1 - Math.floor(Math.log10(size)))) : value.toExponential(0);
+  const text =
+    size >= 99.5
+      ? value.toFixed(0)
+      : size >= 0.995
+        ? value.toPrecision(3)
+        : size >= 1e-5
+          ? value.toFixed(Math.min(6, 1 - Math.floor(Math.log10(size))))
+          : value.toExponential(0);
   return (text.includes('.') && !text.includes('e') ? text.replace(/\.?0+$/, '') : text).replace('-', '−');
 }

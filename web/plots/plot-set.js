@@ -1,4 +1,5 @@
-// The plots of one run: entropies, errors within their bounds, NIS, stage timings. Redrawn about 8 times a second.
+// The plots of one run: entropies, errors within their bounds, NIS, stage timings. Redrawn about 8 times a
+// second.
 import { normalizedBand95 } from '../math/chi-square.js';
 import { quantile } from '../math/statistics.js';
 import { button, element } from '../panels/dom.js';
@@ -18,8 +19,12 @@ const ENTROPIES = [
   { column: 'entropy_extended_nats', label: 'extended', color: '--purple', dash: '8 3 2 3' },
 ];
 const ERRORS = [
-  ['x_m', 'x (m)'], ['y_m', 'y (m)'], ['z_m', 'z (m)'],
-  ['rotx_rad', 'rot x (rad)'], ['roty_rad', 'rot y (rad)'], ['rotz_rad', 'rot z (rad)'],
+  ['x_m', 'x (m)'],
+  ['y_m', 'y (m)'],
+  ['z_m', 'z (m)'],
+  ['rotx_rad', 'rot x (rad)'],
+  ['roty_rad', 'rot y (rad)'],
+  ['rotz_rad', 'rot z (rad)'],
 ];
 
 export class PlotSet {
@@ -27,24 +32,41 @@ export class PlotSet {
   constructor(run, clock) {
     this.run = run;
     this.clock = clock;
-    this.entropy = new LinePlot('Entropy (nats)', 'entropy', clock, 'Entropies over time; marks: initialized landmarks');
-    this.errors = ERRORS.map(([name, words]) =>
-      new LinePlot(words, `error-${name}`, clock, `Error ${words} of body 1 with its 2-sigma bounds`));
-    this.nis = new LinePlot('NIS / dof', 'nis', clock,
-      'NIS over its degrees of freedom, with the 95 % band of the chi-square distribution (Wilson-Hilferty)');
+    this.entropy = new LinePlot(
+      'Entropy (nats)',
+      'entropy',
+      clock,
+      'Entropies over time; marks: initialized landmarks',
+    );
+    this.errors = ERRORS.map(
+      ([name, words]) =>
+        new LinePlot(words, `error-${name}`, clock, `Error ${words} of body 1 with its 2-sigma bounds`),
+    );
+    this.nis = new LinePlot(
+      'NIS / dof',
+      'nis',
+      clock,
+      'NIS over its degrees of freedom, with the 95 % band of the chi-square distribution (Wilson-Hilferty)',
+    );
     this.timings = new TimingsPlot(run);
     this.all = [this.entropy, ...this.errors, this.nis, this.timings];
-    this.element = element('div', { class: 'plots' },
+    this.element = element(
+      'div',
+      { class: 'plots' },
       plotPanel('Entropies', 'entropies', [this.entropy], 'ticks: new landmarks'),
       plotPanel('Pose errors and ±2σ bounds', 'errors', this.errors, ''),
       plotPanel('Innovations', 'nis', [this.nis], ''),
-      plotPanel('Stage timings', 'timings', [this.timings], ''));
+      plotPanel('Stage timings', 'timings', [this.timings], ''),
+    );
     this.draw = onDemand(() => this.drawNow(), REDRAW_MS);
     run.on('series info', () => this.draw());
     clock.on('span', () => this.draw());
     clock.on('time', () => this.draw());
     clock.on('playing', () => this.draw());
-    clock.on('cursor', onDemand(() => this.all.forEach((plot) => plot.drawCursor())));
+    clock.on(
+      'cursor',
+      onDemand(() => this.all.forEach((plot) => plot.drawCursor())),
+    );
     new ResizeObserver(() => this.draw()).observe(this.element);
   }
 
@@ -61,14 +83,19 @@ export class PlotSet {
   /** A component that neither moves nor is uncertain, such as the height of a planar vehicle, is left out.
    * @param {LinePlot} plot @param {PlotData} data */
   #drawError(plot, data) {
-    const constant = [data.band?.high ?? [], ...data.lines.map((line) => line.values)].every((values) => values.every((v) => !v));
+    const constant = [data.band?.high ?? [], ...data.lines.map((line) => line.values)].every((values) =>
+      values.every((v) => !v),
+    );
     /** @type {HTMLElement} */ (plot.svg.parentElement).hidden = constant;
     if (!constant) plot.draw(data);
   }
 
   #entropyLines() {
     const { columns } = this.run.series;
-    return ENTROPIES.filter(({ column }) => columns[column]).map((style) => ({ ...style, values: columns[style.column] }));
+    return ENTROPIES.filter(({ column }) => columns[column]).map((style) => ({
+      ...style,
+      values: columns[style.column],
+    }));
   }
 
   #initializations() {
@@ -83,8 +110,13 @@ export class PlotSet {
     const sizes = error ? error.map(Math.abs) : [];
     const limit = Math.max(1.25 * (quantile(bound, 0.95) || 0), 1.1 * (quantile(sizes, 0.995) || 0), 1e-6);
     return {
-      t, range, domain: [-limit, limit], band: { low: bound.map((b) => -b), high: bound, color: '--sky' },
-      lines: error ? [{ label: '', color: '--vermilion', values: error }] : [{ label: '2σ', color: '--sky', values: bound }],
+      t,
+      range,
+      domain: [-limit, limit],
+      band: { low: bound.map((b) => -b), high: bound, color: '--sky' },
+      lines: error
+        ? [{ label: '', color: '--vermilion', values: error }]
+        : [{ label: '2σ', color: '--sky', values: bound }],
     };
   }
 
@@ -95,17 +127,36 @@ export class PlotSet {
     const bands = dof.map(normalizedBand95);
     const top = Math.max(2.5, 1.2 * (quantile(ratio, 0.98) || 0));
     return {
-      t, range, domain: [0, top], lines: [{ label: '', color: '--blue', values: ratio }],
+      t,
+      range,
+      domain: [0, top],
+      lines: [{ label: '', color: '--blue', values: ratio }],
       note: { text: 'band: 95 %, Wilson–Hilferty', color: '--green' },
       band: { low: bands.map((b) => b[0]), high: bands.map((b) => b[1]), color: '--green' },
     };
   }
 }
 
-/** @param {string} title @param {string} kind @param {{svg: SVGSVGElement, fileName: string}[]} plots @param {string} note */
+/**
+ * @param {string} title
+ * @param {string} kind
+ * @param {{svg: SVGSVGElement, fileName: string}[]} plots
+ * @param {string} note
+ */
 function plotPanel(title, kind, plots, note) {
-  const save = button('SVG', () => plots.forEach(saveSvg), { class: 'quiet', 'aria-label': `Save ${title} as SVG`, title: 'Save as SVG' });
-  return element('section', { class: `panel plot-panel ${kind}`, 'aria-label': title },
+  const save = button('SVG', () => plots.forEach(saveSvg), {
+    class: 'quiet',
+    'aria-label': `Save ${title} as SVG`,
+    title: 'Save as SVG',
+  });
+  return element(
+    'section',
+    { class: `panel plot-panel ${kind}`, 'aria-label': title },
     element('header', {}, element('h2', {}, title), element('span', { class: 'note' }, note), save),
-    element('div', { class: 'plot-area' }, ...plots.map((plot) => element('div', { class: 'plot-host' }, plot.svg))));
+    element(
+      'div',
+      { class: 'plot-area' },
+      ...plots.map((plot) => element('div', { class: 'plot-host' }, plot.svg)),
+    ),
+  );
 }

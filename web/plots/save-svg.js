@@ -1,8 +1,21 @@
 // Saving a plot as an SVG file that needs nothing else: the styles in force are written into its elements.
 import { download, svgElement } from '../panels/dom.js';
 
-const PROPERTIES = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-opacity', 'stroke-dasharray', 'stroke-linejoin',
-  'opacity', 'font-family', 'font-size', 'font-weight', 'text-anchor', 'visibility'];
+const PROPERTIES = [
+  'fill',
+  'fill-opacity',
+  'stroke',
+  'stroke-width',
+  'stroke-opacity',
+  'stroke-dasharray',
+  'stroke-linejoin',
+  'opacity',
+  'font-family',
+  'font-size',
+  'font-weight',
+  'text-anchor',
+  'visibility',
+];
 
 /** @param {{svg: SVGSVGElement, fileName: string}} plot */
 export function saveSvg({ svg, fileName }) {

@@ -1,5 +1,5 @@
-// Bodies: frustum of a camera or shape of a vehicle at the estimated pose, a ghost at the true one, and the 2-sigma
-// ellipsoid of the position.
+// Bodies: frustum of a camera or shape of a vehicle at the estimated pose, a ghost at the true one, and the
+// 2-sigma ellipsoid of the position.
 import { ellipsoidMatrix, positionBlock } from '../math/ellipse.js';
 import { cameraShape, numberLabel, vehicleShape } from './body-shapes.js';
 import { sceneColor } from './colors.js';
@@ -23,7 +23,8 @@ export class Bodies {
     for (const group of [this.estimate, this.truth, this.uncertainty]) group.remove(...group.children);
     this.updateColors();
     this.#bodies = Array.from({ length: info.bodies }, (_, index) => {
-      const shape = () => (info.camera && info.body === 'camera' ? cameraShape(info.camera, size) : vehicleShape(size));
+      const shape = () =>
+        info.camera && info.body === 'camera' ? cameraShape(info.camera, size) : vehicleShape(size);
       const body = { estimate: shape(), truth: shape(), ellipsoid: sigmaMesh() };
       if (info.bodies > 1) body.estimate.add(numberLabel(index + 1, size));
       this.estimate.add(body.estimate);
@@ -35,7 +36,11 @@ export class Bodies {
   }
 
   updateColors() {
-    this.#colors = { estimate: sceneColor('--blue'), truth: sceneColor('--orange'), sigma: sceneColor('--purple') };
+    this.#colors = {
+      estimate: sceneColor('--blue'),
+      truth: sceneColor('--orange'),
+      sigma: sceneColor('--purple'),
+    };
     for (const body of this.#bodies) {
       paint(body.estimate, this.#colors.estimate, 0.3);
       paint(body.truth, this.#colors.truth, 0.08);
@@ -53,7 +58,16 @@ export class Bodies {
       if (!body?.position || !body.pose_covariance) return;
       const { x, y, z } = body.position;
       const matrix = drawn.ellipsoid.matrix;
-      ellipsoidMatrix(positionBlock(body.pose_covariance), x, y, z, SIGMAS, MIN_HALF_AXIS_M, matrix.elements, 0);
+      ellipsoidMatrix(
+        positionBlock(body.pose_covariance),
+        x,
+        y,
+        z,
+        SIGMAS,
+        MIN_HALF_AXIS_M,
+        matrix.elements,
+        0,
+      );
       drawn.ellipsoid.matrixWorldNeedsUpdate = true;
     });
   }
@@ -71,7 +85,8 @@ function sigmaMesh() {
 
 /**
  * @param {THREE.Object3D} object
- * @param {import('../state/types.js').Vector} [position] @param {import('../state/types.js').Quaternion} [orientation]
+ * @param {import('../state/types.js').Vector} [position] @param {import('../state/types.js').Quaternion}
+ *   [orientation]
  */
 function place(object, position, orientation) {
   object.visible = Boolean(position && orientation);

@@ -1,5 +1,6 @@
-// Landmarks: 2-sigma ellipsoids as one InstancedMesh, and a marker of constant size at each center whose color and shape
-// tell the outcome of the present frame. Anchors are known exactly and have a marker of their own.
+// Landmarks: 2-sigma ellipsoids as one InstancedMesh, and a marker of constant size at each center whose
+// color and shape tell the outcome of the present frame. Anchors are known exactly and have a marker of their
+// own.
 import { ellipsoidMatrix, readEllipsoid } from '../math/ellipse.js';
 import { NOT_PREDICTED, OUTCOMES, SHAPES } from '../state/outcomes.js';
 import { sceneColor } from './colors.js';
@@ -23,7 +24,10 @@ export class Landmarks {
   #matrices = new Float32Array(0);
   #instanceColors = new THREE.InstancedBufferAttribute(new Float32Array(0), 3);
   #material = new THREE.MeshLambertMaterial({
-    vertexColors: THREE.VertexColors, transparent: true, opacity: 0.42, depthWrite: false,
+    vertexColors: THREE.VertexColors,
+    transparent: true,
+    opacity: 0.42,
+    depthWrite: false,
   });
   #mesh = this.#makeMesh();
   #markers = new MarkerCloud(9);
@@ -75,7 +79,8 @@ export class Landmarks {
       }
       const outcome = outcomes.get(landmark.id);
       const style = /** @type {{color: THREE.Color, shape: number}} */ (
-        this.#styles.get((outcome && OUTCOMES[outcome]) ?? NOT_PREDICTED));
+        this.#styles.get((outcome && OUTCOMES[outcome]) ?? NOT_PREDICTED)
+      );
       ellipsoidMatrix(landmark.covariance, x, y, z, SIGMAS, MIN_HALF_AXIS_M, this.#matrices, 16 * count);
       style.color.toArray(colors, 3 * count);
       this.#markers.add(x, y, z, style.color, style.shape);
@@ -127,6 +132,7 @@ export class Landmarks {
 /** @param {Snapshot | null} snapshot @returns {Map<number, import('../state/types.js').Outcome>} */
 function outcomesById(snapshot) {
   const outcomes = new Map();
-  for (const match of snapshot?.matches ?? []) if (match.kind !== 'body') outcomes.set(match.id, match.outcome);
+  for (const match of snapshot?.matches ?? [])
+    if (match.kind !== 'body') outcomes.set(match.id, match.outcome);
   return outcomes;
 }

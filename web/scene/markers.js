@@ -47,8 +47,15 @@ export class MarkerCloud {
 
   /** @param {number} size px of the page */
   constructor(size) {
-    this.uniforms = { size: { value: size * window.devicePixelRatio }, outline: { value: new THREE.Color() } };
-    const material = new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms });
+    this.uniforms = {
+      size: { value: size * window.devicePixelRatio },
+      outline: { value: new THREE.Color() },
+    };
+    const material = new THREE.ShaderMaterial({
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      uniforms: this.uniforms,
+    });
     this.points = new THREE.Points(this.#geometry, material);
     this.points.frustumCulled = false;
     this.points.renderOrder = 3;
@@ -66,7 +73,13 @@ export class MarkerCloud {
     this.#count = 0;
   }
 
-  /** @param {number} x @param {number} y @param {number} z @param {THREE.Color} color @param {number} shape */
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {number} z
+   * @param {THREE.Color} color
+   * @param {number} shape
+   */
   add(x, y, z, color, shape) {
     const k = this.#count++;
     this.#positions[3 * k] = x;
@@ -80,7 +93,9 @@ export class MarkerCloud {
 
   end() {
     this.#geometry.setDrawRange(0, this.#count);
-    const { position, color, shape } = /** @type {Record<string, THREE.BufferAttribute>} */ (this.#geometry.attributes);
+    const { position, color, shape } = /** @type {Record<string, THREE.BufferAttribute>} */ (
+      this.#geometry.attributes
+    );
     for (const attribute of [position, color, shape]) attribute.needsUpdate = true;
   }
 

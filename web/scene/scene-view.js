@@ -18,8 +18,16 @@ export class SceneView {
   submitMs = [];
   /** @type {Record<string, boolean>} */
   layers = {
-    ellipsoids: true, markers: true, anchors: true, estimate: true, truth: true, sigma: true, room: true, terrain: true,
-    unseen: true, grid: true,
+    ellipsoids: true,
+    markers: true,
+    anchors: true,
+    estimate: true,
+    truth: true,
+    sigma: true,
+    room: true,
+    terrain: true,
+    unseen: true,
+    grid: true,
   };
   landmarks = new Landmarks();
   #bodies = new Bodies();
@@ -41,7 +49,12 @@ export class SceneView {
     this.draw = onDemand(() => this.drawNow());
     this.view = new ViewControl(canvas, () => this.draw());
     this.#scene.add(new THREE.HemisphereLight(0xffffff, 0x8890a0, 0.9), sun());
-    this.#scene.add(this.#surroundings.grid, this.#surroundings.room, this.#surroundings.terrain, this.#surroundings.unseen);
+    this.#scene.add(
+      this.#surroundings.grid,
+      this.#surroundings.room,
+      this.#surroundings.terrain,
+      this.#surroundings.unseen,
+    );
     this.#scene.add(this.#pathGroups.estimate, this.#pathGroups.truth, this.landmarks.group);
     this.#scene.add(this.#bodies.truth, this.#bodies.estimate, this.#bodies.uncertainty);
     run.on('info', () => {
@@ -131,7 +144,10 @@ export class SceneView {
   /** @param {number} bodies */
   #rebuildPaths(bodies) {
     for (const group of Object.values(this.#pathGroups)) group.remove(...group.children);
-    this.#paths = Array.from({ length: bodies }, () => ({ estimate: new ThickLine(2.5, 0), truth: new ThickLine(2, DASH_M) }));
+    this.#paths = Array.from({ length: bodies }, () => ({
+      estimate: new ThickLine(2.5, 0),
+      truth: new ThickLine(2, DASH_M),
+    }));
     for (const path of this.#paths) {
       path.estimate.uniforms.color.value = sceneColor('--blue');
       path.truth.uniforms.color.value = sceneColor('--orange');
@@ -160,7 +176,8 @@ export class SceneView {
     this.view.camera.aspect = width / height;
     this.view.camera.updateProjectionMatrix();
     const size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
-    for (const path of this.#paths) for (const line of [path.estimate, path.truth]) line.uniforms.resolution.value.copy(size);
+    for (const path of this.#paths)
+      for (const line of [path.estimate, path.truth]) line.uniforms.resolution.value.copy(size);
     this.draw();
   }
 
@@ -178,20 +195,32 @@ function sun() {
   return light;
 }
 
-/** Room and terrain, or else the paths and landmarks known so far. @param {RunState} run @returns {THREE.Box3} */
+/**
+ * Room and terrain, or else the paths and landmarks known so far.
+ * @param {RunState} run
+ * @returns {THREE.Box3}
+ */
 function extentOf(run) {
   const box = new THREE.Box3();
   const { room, terrain } = run.info ?? {};
   if (room) box.set(new THREE.Vector3().fromArray(room.min), new THREE.Vector3().fromArray(room.max));
   else if (terrain) {
     const [x, y] = terrain.origin;
-    box.set(new THREE.Vector3(x, y, -1),
-      new THREE.Vector3(x + terrain.step_m * (terrain.columns - 1), y + terrain.step_m * (terrain.rows - 1), 1));
+    box.set(
+      new THREE.Vector3(x, y, -1),
+      new THREE.Vector3(
+        x + terrain.step_m * (terrain.columns - 1),
+        y + terrain.step_m * (terrain.rows - 1),
+        1,
+      ),
+    );
   } else {
-    for (const { position } of run.snapshot?.landmarks ?? []) box.expandByPoint(new THREE.Vector3(position.x, position.y, position.z));
+    for (const { position } of run.snapshot?.landmarks ?? [])
+      box.expandByPoint(new THREE.Vector3(position.x, position.y, position.z));
     for (const { estimate } of run.paths) {
       for (let k = 0; k < estimate.xyz.length; k += 3) {
-        if (Number.isFinite(estimate.xyz[k])) box.expandByPoint(new THREE.Vector3().fromArray(estimate.xyz, k));
+        if (Number.isFinite(estimate.xyz[k]))
+          box.expandByPoint(new THREE.Vector3().fromArray(estimate.xyz, k));
       }
     }
     if (box.isEmpty()) box.set(new THREE.Vector3(-5, -5, 0), new THREE.Vector3(5, 5, 1));

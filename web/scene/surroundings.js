@@ -1,4 +1,5 @@
-// What stands around the bodies: ground grid with the axes of the world, room with its boxes, terrain, unseen cells.
+// What stands around the bodies: ground grid with the axes of the world, room with its boxes, terrain, unseen
+// cells.
 import { unseenCenters } from '../math/seen-cells.js';
 import { sceneColor } from './colors.js';
 import * as THREE from './three.js';
@@ -12,7 +13,10 @@ export class Surroundings {
   room = new THREE.Group();
   terrain = new THREE.Group();
   #unseenMaterial = new THREE.PointsMaterial({
-    size: 2 * window.devicePixelRatio, sizeAttenuation: false, transparent: true, opacity: 0.45,
+    size: 2 * window.devicePixelRatio,
+    sizeAttenuation: false,
+    transparent: true,
+    opacity: 0.45,
   });
   unseen = new THREE.Points(new THREE.BufferGeometry(), this.#unseenMaterial);
   #seen = '';
@@ -48,7 +52,8 @@ export class Surroundings {
   }
 }
 
-/** Lines every meter (every 5 m where the extent is large) and the axes: x red-like, y green-like, z blue, with letters.
+/**
+ * Lines every meter (every 5 m where the extent is large), and the axes of the world with their letters.
  * @param {THREE.Box3} extent @returns {THREE.Object3D[]} */
 function groundGrid(extent) {
   const span = Math.max(extent.max.x - extent.min.x, extent.max.y - extent.min.y);
@@ -59,14 +64,26 @@ function groundGrid(extent) {
   for (let x = x0; x <= x1; x += step) points.push(x, y0, 0, x, y1, 0);
   for (let y = y0; y <= y1; y += step) points.push(x0, y, 0, x1, y, 0);
   const axes = [
-    { to: [1, 0, 0], color: '--vermilion', letter: 'x' }, { to: [0, 1, 0], color: '--green', letter: 'y' },
+    { to: [1, 0, 0], color: '--vermilion', letter: 'x' },
+    { to: [0, 1, 0], color: '--green', letter: 'y' },
     { to: [0, 0, 1], color: '--blue', letter: 'z' },
   ];
   const length = Math.min(0.6, Math.max(0.3, 0.05 * span));
-  return [lineSegments(points, '--line'), ...axes.flatMap(({ to, color, letter }) => {
-    const end = to.map((value) => value * length);
-    return [lineSegments([0, 0, 0, ...end], color), letterAt(letter, color, to.map((value) => value * length * 1.2), length)];
-  })];
+  return [
+    lineSegments(points, '--line'),
+    ...axes.flatMap(({ to, color, letter }) => {
+      const end = to.map((value) => value * length);
+      return [
+        lineSegments([0, 0, 0, ...end], color),
+        letterAt(
+          letter,
+          color,
+          to.map((value) => value * length * 1.2),
+          length,
+        ),
+      ];
+    }),
+  ];
 }
 
 /** @param {number[]} points x y z each @param {string} color @returns {THREE.LineSegments} */
@@ -101,20 +118,30 @@ function boxGeometry({ min, max }) {
 
 /** @param {Box} box @param {string} color @returns {THREE.LineSegments} */
 function boxEdges(box, color) {
-  return new THREE.LineSegments(new THREE.EdgesGeometry(boxGeometry(box)),
-    new THREE.LineBasicMaterial({ color: sceneColor(color) }));
+  return new THREE.LineSegments(
+    new THREE.EdgesGeometry(boxGeometry(box)),
+    new THREE.LineBasicMaterial({ color: sceneColor(color) }),
+  );
 }
 
 /** @param {Box} box @returns {THREE.Mesh} */
 function boxFaces(box) {
-  const material = new THREE.MeshLambertMaterial({ color: sceneColor('--gray'), transparent: true, opacity: 0.25, depthWrite: false });
+  const material = new THREE.MeshLambertMaterial({
+    color: sceneColor('--gray'),
+    transparent: true,
+    opacity: 0.25,
+    depthWrite: false,
+  });
   return new THREE.Mesh(boxGeometry(box), material);
 }
 
 /** @param {Terrain} terrain @returns {THREE.Mesh} */
 function terrainMesh({ origin, step_m: step, columns, rows, heights }) {
-  const points = heights.flatMap((height, k) =>
-    [origin[0] + (k % columns) * step, origin[1] + Math.floor(k / columns) * step, height]);
+  const points = heights.flatMap((height, k) => [
+    origin[0] + (k % columns) * step,
+    origin[1] + Math.floor(k / columns) * step,
+    height,
+  ]);
   const faces = [];
   for (let row = 0; row + 1 < rows; ++row) {
     for (let column = 0; column + 1 < columns; ++column) {

@@ -1,5 +1,5 @@
-// A line of constant width in pixels, solid or dashed by length, that grows at its end. WebGL draws plain lines one pixel
-// wide, so each segment is two triangles here, widened in the vertex shader.
+// A line of constant width in pixels, solid or dashed by length, that grows at its end. WebGL draws plain
+// lines one pixel wide, so each segment is two triangles here, widened in the vertex shader.
 import * as THREE from './three.js';
 
 const VERTEX = `
@@ -45,11 +45,16 @@ export class ThickLine {
   /** @param {number} widthPx @param {number} dashM length of a dash with its gap, m; 0: solid */
   constructor(widthPx, dashM) {
     this.uniforms = {
-      resolution: { value: new THREE.Vector2(1, 1) }, width: { value: widthPx * window.devicePixelRatio },
-      color: { value: new THREE.Color() }, dash: { value: dashM },
+      resolution: { value: new THREE.Vector2(1, 1) },
+      width: { value: widthPx * window.devicePixelRatio },
+      color: { value: new THREE.Color() },
+      dash: { value: dashM },
     };
     const material = new THREE.ShaderMaterial({
-      vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: this.uniforms, side: THREE.DoubleSide,
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      uniforms: this.uniforms,
+      side: THREE.DoubleSide,
     });
     this.mesh = new THREE.Mesh(this.#geometry, material);
     this.mesh.frustumCulled = false;
@@ -90,7 +95,10 @@ export class ThickLine {
     this.#count = 0;
     this.#geometry.dispose();
     const geometry = new THREE.InstancedBufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]), 3));
+    geometry.setAttribute(
+      'position',
+      new THREE.BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]), 3),
+    );
     geometry.setIndex([0, 1, 2, 0, 2, 3]);
     this.#numbers = new Float32Array(STRIDE * capacity);
     this.#buffer = new THREE.InstancedInterleavedBuffer(this.#numbers, STRIDE, 1);
@@ -106,5 +114,7 @@ export class ThickLine {
 /** @param {Float32Array} array @param {number} k @returns {number} 0 across a gap */
 function segmentLength(array, k) {
   const at = STRIDE * k;
-  return Math.hypot(array[at + 3] - array[at], array[at + 4] - array[at + 1], array[at + 5] - array[at + 2]) || 0;
+  return (
+    Math.hypot(array[at + 3] - array[at], array[at + 4] - array[at + 1], array[at + 5] - array[at + 2]) || 0
+  );
 }

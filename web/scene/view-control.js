@@ -31,9 +31,16 @@ export class ViewControl {
     this.following = preset === 'follow';
     if (preset === 'follow' && body) {
       this.controls.target.copy(body);
-      this.camera.position.copy(body).add(new Vector3(-0.9, -1.2, 0.9).multiplyScalar(Math.min(2.5, 0.4 * radius)));
+      this.camera.position
+        .copy(body)
+        .add(new Vector3(-0.9, -1.2, 0.9).multiplyScalar(Math.min(2.5, 0.4 * radius)));
     } else {
-      const directions = { top: [0, -1e-2, 1], side: [0, -1, 0.05], reset: [-0.35, -1, 0.8], follow: [-0.35, -1, 0.8] };
+      const directions = {
+        top: [0, -1e-2, 1],
+        side: [0, -1, 0.05],
+        reset: [-0.35, -1, 0.8],
+        follow: [-0.35, -1, 0.8],
+      };
       const direction = new Vector3().fromArray(directions[preset]).normalize();
       this.controls.target.copy(center);
       this.camera.position.copy(center).addScaledVector(direction, this.#distanceToFit(direction));
@@ -41,7 +48,10 @@ export class ViewControl {
     this.controls.update();
   }
 
-  /** Distance from the center at which all corners of the extent are in view. @param {THREE.Vector3} direction to the camera */
+  /**
+   * Distance from the center at which all corners of the extent are in view.
+   * @param {THREE.Vector3} direction to the camera
+   */
   #distanceToFit(direction) {
     const right = new Vector3(0, 0, 1).cross(direction).normalize();
     const up = direction.clone().cross(right);
@@ -49,7 +59,9 @@ export class ViewControl {
     const half = this.extent.getSize(new Vector3()).multiplyScalar(0.5);
     let distance = 0.5;
     for (let corner = 0; corner < 8; ++corner) {
-      const offset = half.clone().multiply(new Vector3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
+      const offset = half
+        .clone()
+        .multiply(new Vector3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
       const [x, y] = [Math.abs(offset.dot(right)) / this.camera.aspect, Math.abs(offset.dot(up))];
       distance = Math.max(distance, offset.dot(direction) + (1.04 * Math.max(x, y)) / tangent);
     }
@@ -87,9 +99,15 @@ export class ViewControl {
     const horizontal = Math.atan2(offset.y, offset.x) + azimuth;
     const vertical = Math.asin(offset.z / radius) + elevation;
     const limited = Math.min(Math.max(vertical, -1.5), 1.57);
-    this.camera.position.copy(this.controls.target).add(new Vector3(
-      radius * Math.cos(limited) * Math.cos(horizontal), radius * Math.cos(limited) * Math.sin(horizontal),
-      radius * Math.sin(limited)));
+    this.camera.position
+      .copy(this.controls.target)
+      .add(
+        new Vector3(
+          radius * Math.cos(limited) * Math.cos(horizontal),
+          radius * Math.cos(limited) * Math.sin(horizontal),
+          radius * Math.sin(limited),
+        ),
+      );
   }
 
   /** @param {number} right @param {number} up */

@@ -22,7 +22,8 @@ export class LiveEvents {
     }
     this.#state = snapshot.state;
     for (const { decision } of snapshot.bodies) {
-      if (decision?.decided && decision.chosen >= 0) add('decision', decision.candidates[decision.chosen]?.action ?? '');
+      if (decision?.decided && decision.chosen >= 0)
+        add('decision', decision.candidates[decision.chosen]?.action ?? '');
     }
     for (const intervention of snapshot.interventions ?? []) add('disturbance', intervention.type);
     return events;

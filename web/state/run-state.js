@@ -53,8 +53,12 @@ export class RunState extends Emitter {
   /** @param {Info} info */
   setInfo(info) {
     this.info = info;
-    this.paths = Array.from({ length: info.bodies }, () => ({ estimate: new PathStore(), truth: new PathStore() }));
-    for (const { estimate, truth } of this.paths) estimate.longestGapS = truth.longestGapS = GAP_FRAMES / info.rate_hz;
+    this.paths = Array.from({ length: info.bodies }, () => ({
+      estimate: new PathStore(),
+      truth: new PathStore(),
+    }));
+    for (const { estimate, truth } of this.paths)
+      estimate.longestGapS = truth.longestGapS = GAP_FRAMES / info.rate_hz;
     this.emit('info');
   }
 

@@ -45,16 +45,23 @@ export class Series {
     this.t = half(this.t);
     this.frames = half(this.frames);
     this.states = half(this.states);
-    for (const table of [this.columns, this.timing]) for (const name in table) table[name] = half(table[name]);
+    for (const table of [this.columns, this.timing])
+      for (const name in table) table[name] = half(table[name]);
   }
 }
 
 /** @param {Record<string, (number | null)[]>} table @returns {Record<string, number[]>} */
 function withNaN(table) {
-  return Object.fromEntries(Object.entries(table).map(([name, values]) => [name, values.map((v) => v ?? NaN)]));
+  return Object.fromEntries(
+    Object.entries(table).map(([name, values]) => [name, values.map((v) => v ?? NaN)]),
+  );
 }
 
-/** @param {Record<string, number[]>} table @param {Record<string, number | null>} row @param {number} length */
+/**
+ * @param {Record<string, number[]>} table
+ * @param {Record<string, number | null>} row
+ * @param {number} length
+ */
 function appendRow(table, row, length) {
   for (const name in row) table[name] ??= new Array(length).fill(NaN);
   for (const name in table) table[name].push(row[name] ?? NaN);

@@ -55,10 +55,14 @@
  * @property {{position: Vector, orientation: Quaternion}} [truth]
  * @property {boolean} [operator_controlled]
  * @property {boolean} [manual] taken over by an operator of the page
- * @property {{decided: boolean, chosen: number, candidates: {action: string, score?: number | null}[]}} [decision]
+ * @property {{decided: boolean, chosen: number, candidates: {action: string, score?: number | null}[]}}
+ *   [decision]
  */
 
-/** @typedef {{id: number, kind: 'anchor' | 'landmark', detections: number, position: Vector, covariance: number[]}} Landmark */
+/**
+ * @typedef {{id: number, kind: 'anchor' | 'landmark', detections: number, position: Vector, covariance:
+ *   number[]}} Landmark
+ */
 /** @typedef {{min: number[], cell_m: number, cells: number[], seen: string}} Exploration */
 
 /**
@@ -82,7 +86,10 @@
  * @property {{type: string}[]} [interventions]
  */
 
-/** @typedef {{estimate: (number[] | null)[], truth?: (number[] | null)[]}} SeriesPath positions of one body, per frame */
+/**
+ * @typedef {{estimate: (number[] | null)[], truth?: (number[] | null)[]}} SeriesPath positions of one body,
+ *   per frame
+ */
 
 /**
  * @typedef {object} SeriesMessage
@@ -96,9 +103,18 @@
  * @property {SeriesPath[]} [paths] one per body
  */
 
-/** @typedef {{running: boolean, paused: boolean, speed: number, viewers: number, ended: {status: string, reason: string} | null}} LoopState */
+/**
+ * @typedef {{running: boolean, paused: boolean, speed: number, viewers: number, ended: {status: string,
+ *   reason: string} | null}} LoopState
+ */
 /** @typedef {{lines: string[], directions: {name: string, observable: boolean}[]}} Observability */
-/** @typedef {{mode: 'live' | 'replay' | 'laboratory', version: string, runs: {name: string}[], control?: boolean, kind?: string}} Mode */
-/** @typedef {{key: string, value: any, unit: string, default: any, source: string, allowed: string, help: string, options?: string[]}} Setting */
+/**
+ * @typedef {{mode: 'live' | 'replay' | 'laboratory', version: string, runs: {name: string}[], control?:
+ *   boolean, kind?: string}} Mode
+ */
+/**
+ * @typedef {{key: string, value: any, unit: string, default: any, source: string, allowed: string, help:
+ *   string, options?: string[]}} Setting
+ */
 
 export {};

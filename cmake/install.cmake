@@ -9,7 +9,7 @@ install(TARGETS ${modules} EXPORT incognita-targets)
 install(DIRECTORY incognita/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/incognita FILES_MATCHING PATTERN *.hpp
         # the command line is no library
         REGEX "app/commands/(campaign|config|observe|reproduce|run)[.]hpp" EXCLUDE
-        PATTERN app/console EXCLUDE PATTERN app/campaign EXCLUDE)
+        PATTERN app/console EXCLUDE PATTERN app/campaign EXCLUDE PATTERN app/view EXCLUDE)
 install(EXPORT incognita-targets NAMESPACE incognita:: DESTINATION ${package})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/incognita-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)

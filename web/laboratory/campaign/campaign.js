@@ -30,7 +30,9 @@ function drawPlot() {
     return;
   }
   const rows = rowsOf(campaign, runs, measure, asDifferences());
-  const labels = [labelOf(measure), asDifferences() ? "less the baseline on the same seed" : ""];
+  const baseline = names.get(campaign.baseline);
+  const less = `less ${baseline.length < 42 ? baseline : "the baseline"}`;
+  const labels = asDifferences() ? [labelOf(measure), less, "on the same seed"] : [labelOf(measure)];
   const node = svgElement("svg", {role: "img", "aria-label": `Strip plot of ${labels.join(" ")}; the tables below hold its numbers`});
   frame.replaceChildren(node);
   drawStripPlot(node, {rows, names, labels, asDifferences: asDifferences(), symmetricLog: byId("symmetric-log").checked,

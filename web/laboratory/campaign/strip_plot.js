@@ -6,7 +6,7 @@ import {shown} from "./numbers.js";
 
 const spread = 19, label = 17, head = 44, side = 12;  // px
 const narrow = 560;  // px; below, texts that stand beside each other stand below each other
-const layoutOf = (width) => (width < narrow ? {height: 106, center: 66, foot: 62} : {height: 92, center: 52, foot: 46});
+const layoutOf = (width) => (width < narrow ? {height: 106, center: 66, foot: 76} : {height: 92, center: 52, foot: 46});
 
 function scaleOf(rows, asDifferences, symmetricLog, from, to) {
   const numbers = rows.flatMap((one) => [...one.points.map(({x}) => x), one.low, one.high]);
@@ -104,7 +104,7 @@ export function drawStripPlot(node, {rows, names, title, labels, asDifferences, 
     drawMean(group, one, axis.scale, layout.center);
     drawLeftOut(group, one, right, column, layout.center, onSeed);
   });
-  const lines = isNarrow ? labels : [labels.filter(Boolean).join(", ")];
+  const lines = isNarrow ? labels : [labels.join(" ")];
   lines.forEach((text, i) => svg.append("text").attr("class", "label").attr("x", (side + right) / 2)
     .attr("y", bottom + 36 + 15 * i).attr("text-anchor", "middle").text(text));
 }

@@ -1,6 +1,6 @@
 // A claim: verdict, statement, what is printed, what was measured, why, and its figures beside it.
 import {element} from "../shared/elements.js";
-import {figureMention, figureView} from "./figure_view.js";
+import {absentFigure, figureMention, figureView} from "./figure_view.js";
 import {partsOf} from "./parts.js";
 import {highlighted} from "./search.js";
 import {verdictSymbol} from "./verdict_symbol.js";
@@ -35,6 +35,7 @@ function row(label, value, kind = "") {
 export function claimView(claim, figures, entry, terms) {
   const verdict = verdictOf(claim.verdict);
   const runs = runsOf(claim);
+  const present = figures.shown.filter((figure) => figure.file), absent = figures.shown.filter((figure) => !figure.file);
   return element("article", {id: claim.id, class: `claim verdict-${verdict.id}`, tabindex: "-1", "aria-label": claim.place},
     element("div", {class: "words"},
       element("header", {},
@@ -49,7 +50,8 @@ export function claimView(claim, figures, entry, terms) {
         row("Measured", measuredValue(claim.measured, terms), "measured"),
         claim.why ? row(verdict.reason, marked(claim.why, terms), "why") : [],
         figures.mentioned.some((figure) => figure.file)
-          ? row("See also", figures.mentioned.map((figure) => figureMention(figure, entry))) : [])),
-    figures.shown.length
-      ? element("div", {class: "figures"}, figures.shown.map((figure) => figureView(figure, entry))) : []);
+          ? row("See also", figures.mentioned.map((figure) => figureMention(figure, entry))) : [],
+        absent.length ? row("Not here", absent.map((figure) => absentFigure(figure, entry))) : [])),
+    present.length
+      ? element("div", {class: "figures"}, present.map((figure) => figureView(figure, entry))) : []);
 }

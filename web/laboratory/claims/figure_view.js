@@ -23,8 +23,8 @@ export function openFigure(figure, exampleTitle) {
 
 /** What stands in place of a figure whose file is not there. */
 export function absentFigure(figure, entry) {
-  return element("p", {class: "absent muted"}, `${titleOf(figure)} is drawn by `,
-    element("code", {}, `incognita reproduce ${entry.id}`), " and is not in this folder.");
+  return element("p", {class: "absent muted"}, `${titleOf(figure)} is not in this folder; `,
+    element("code", {}, `incognita reproduce ${entry.id}`), " draws it");
 }
 
 export function figureView(figure, entry) {

@@ -1,5 +1,6 @@
 #include "incognita/live/series_history.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -20,6 +21,10 @@ Json column_of(const std::vector<std::vector<double>>& rows, std::size_t column)
   Json values = Json::array();
   for (const auto& row : rows) values.push_back(number(row[column]));
   return values;
+}
+
+Json position(const std::optional<Eigen::Vector3d>& known) {
+  return known && known->allFinite() ? Json{known->x(), known->y(), known->z()} : Json(nullptr);
 }
 
 template <class Value>
@@ -43,21 +48,17 @@ void SeriesHistory::add_events(const Snapshot& snapshot) {
   if (state != last_state_ && (state == TrackingState::lost || state == TrackingState::relocated))
     event(name(state), snapshot.status.reason);
   last_state_ = state;
-  std::set<std::int64_t> ids;
   for (const SnapshotLandmark& landmark : snapshot.landmarks)
-    if (!landmark.anchor) ids.insert(landmark.id);
-  for (const std::int64_t id : ids)
-    if (!known_.contains(id)) event("initialized", "landmark " + std::to_string(id));
-  for (const std::int64_t id : known_)
-    if (!ids.contains(id)) event("removed", "landmark " + std::to_string(id));
-  known_ = std::move(ids);
+    if (!landmark.anchor && initialized_.insert(landmark.id).second)
+      event("initialized", "landmark " + std::to_string(landmark.id));
   for (const SnapshotBody& body : snapshot.bodies)
     if (body.decision.decided) event("decision", chosen_action(body.decision));
   for (const Intervention& intervention : snapshot.interventions) event("disturbance", name(intervention));
 }
 
 void SeriesHistory::thin() {
-  keep_every_other(t_), keep_every_other(state_), keep_every_other(rows_), keep_every_other(timing_ms_);
+  keep_every_other(t_), keep_every_other(state_), keep_every_other(rows_), keep_every_other(timing_ms_),
+      keep_every_other(positions_);
   stride_ *= 2;
 }
 
@@ -73,6 +74,12 @@ void SeriesHistory::add(const Snapshot& snapshot) {
   timing_ms_.emplace_back(stages_.size());
   for (std::size_t i = 0; i < stages_.size() && i < snapshot.timing_ms.size(); ++i)
     timing_ms_.back()[i] = snapshot.timing_ms[i].second;
+  auto& positions = positions_.emplace_back();
+  for (const SnapshotBody& body : snapshot.bodies) {
+    positions.emplace_back();
+    if (has_pose(body)) positions.back().estimate = body.estimate.position;
+    if (body.truth) positions.back().truth = body.truth->position;
+  }
   if (rows_.size() >= most_rows_) thin();
 }
 
@@ -85,6 +92,17 @@ std::string SeriesHistory::json() const {
   for (std::size_t i = 0; i < names_.size(); ++i) columns[names_[i]] = column_of(rows_, i);
   Json& timing = json["timing_ms"] = Json::object();
   for (std::size_t i = 0; i < stages_.size(); ++i) timing[stages_[i]] = column_of(timing_ms_, i);
+  std::size_t bodies = 0;
+  for (const auto& positions : positions_) bodies = std::max(bodies, positions.size());
+  Json& paths = json["paths"] = Json::array();
+  for (std::size_t i = 0; i < bodies; ++i) {
+    Json estimate = Json::array(), truth = Json::array();
+    for (const auto& positions : positions_) {
+      const Position at = i < positions.size() ? positions[i] : Position{};
+      estimate.push_back(position(at.estimate)), truth.push_back(position(at.truth));
+    }
+    paths.push_back({{"estimate", std::move(estimate)}, {"truth", std::move(truth)}});
+  }
   Json& events = json["events"] = Json::array();
   for (const Event& event : events_)
     events.push_back({{"frame", event.frame}, {"t", event.t}, {"kind", event.kind}, {"text", event.text}});

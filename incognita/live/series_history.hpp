@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,10 +19,13 @@ class SeriesHistory {
   explicit SeriesHistory(bool with_errors, std::size_t most_rows = 20000);
 
   void add(const Snapshot& snapshot);
-  /// {"t": [...], "state": [...], "columns": {...}, "timing_ms": {...}, "events": [...], "frames": n}
+  /// {"t": [...], "state": [...], "columns": {...}, "timing_ms": {...}, "paths": [...], "events": [...], "frames": n}
   std::string json() const;
 
  private:
+  struct Position {
+    std::optional<Eigen::Vector3d> estimate, truth;  ///< m, world
+  };
   struct Event {
     std::int64_t frame;
     double t;
@@ -40,7 +44,8 @@ class SeriesHistory {
   std::vector<std::vector<double>> rows_, timing_ms_;
   std::vector<std::string> stages_;
   std::vector<Event> events_;
-  std::set<std::int64_t> known_;  ///< landmarks of the last frame
+  std::vector<std::vector<Position>> positions_;  ///< of all bodies, per row
+  std::set<std::int64_t> initialized_;            ///< landmarks so far
   TrackingState last_state_ = TrackingState::starting;
 };
 

@@ -263,6 +263,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     response_->set("X-Content-Type-Options", "nosniff");
     response_->set("Content-Security-Policy", security_policy);
     response_->set("Referrer-Policy", "no-referrer");
+    if (!answer.location.empty()) response_->set(http::field::location, answer.location);
     response_->keep_alive(keep_alive);
     if (!head && answer.body) response_->body() = *answer.body;
     response_->prepare_payload();

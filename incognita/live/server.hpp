@@ -37,7 +37,8 @@ struct HttpAnswer {
   int status = 200;
   std::string content_type = "application/json";
   std::shared_ptr<const std::string> body;
-  bool is_public = false;  ///< sent to anyone: holds no data of a run
+  bool is_public = false;     ///< sent to anyone: holds no data of a run
+  std::string location = {};  ///< of status 302
 };
 
 /// One WebSocket viewer. All calls are made in the server's thread.

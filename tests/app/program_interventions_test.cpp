@@ -16,7 +16,8 @@ using testing::Scratch;
 using testing::Words;
 
 /// A run of `scenario` into out/ with these rows of interventions.jsonl.
-Ended disturbed(const Scratch& scratch, const std::string& scenario, const std::string& rows, const Words& more = {}) {
+Ended disturbed(const Scratch& scratch, const std::string& scenario, const std::string& rows,
+                const Words& more = {}) {
   std::filesystem::create_directory(scratch.folder() / "log");
   std::ofstream(scratch.folder() / "log/interventions.jsonl") << rows;
   Words words = {"run", scenario, "--out", "out", "--no-figures", "--replay-commands", "log"};
@@ -43,9 +44,9 @@ std::vector<Eigen::Vector3d> positions(const std::filesystem::path& tum) {
 
 TEST(ProgramInterventions, ADisplacedCameraIsLost) {
   const Scratch scratch;
-  const Ended ended = disturbed(scratch, "room",
-                                row(45, R"({"type":"displace","body":1,"by_m":[-0.8,0.5,0],"turn_rad":1})"),
-                                {"--duration", "3"});
+  const Ended ended =
+      disturbed(scratch, "room", row(45, R"({"type":"displace","body":1,"by_m":[-0.8,0.5,0],"turn_rad":1})"),
+                {"--duration", "3"});
   EXPECT_EQ(ended.code, 1) << ended.err;
   const nlohmann::json summary = testing::summary_of(scratch.folder() / "out");
   EXPECT_GT(summary["lost_frames"], 10);
@@ -54,8 +55,8 @@ TEST(ProgramInterventions, ADisplacedCameraIsLost) {
 
 TEST(ProgramInterventions, ACoveredLensIsLostAndSaysSo) {
   const Scratch scratch;
-  const Ended ended = disturbed(scratch, "room", row(30, R"({"type":"cover-lens","covered":true})"),
-                                {"--duration", "2"});
+  const Ended ended =
+      disturbed(scratch, "room", row(30, R"({"type":"cover-lens","covered":true})"), {"--duration", "2"});
   EXPECT_EQ(ended.code, 1) << ended.err;
   EXPECT_GE(testing::summary_of(scratch.folder() / "out")["lost_frames"], 10);
 }
@@ -76,10 +77,10 @@ TEST(ProgramInterventions, ADrivenCameraGoesLeft) {
 
 TEST(ProgramInterventions, AVehicleOnAPathIsDrivenAndGivenBack) {
   const Scratch scratch;
-  const Ended ended = disturbed(scratch, "circle",
-                                row(20, R"({"type":"take-over","body":1})") +
-                                    row(60, R"({"type":"give-back","body":1})"),
-                                {"--duration", "12"});
+  const Ended ended =
+      disturbed(scratch, "circle",
+                row(20, R"({"type":"take-over","body":1})") + row(60, R"({"type":"give-back","body":1})"),
+                {"--duration", "12"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   const auto truth = positions(scratch.folder() / "out/truth.tum");
   ASSERT_GT(truth.size(), 100u);
@@ -93,7 +94,8 @@ TEST(ProgramInterventions, RepeatTheSameBytes) {
                            row(20, R"({"type":"push","body":1,"velocity_m_s":[0,0.2,0],"duration_s":0.2})") +
                            row(25, R"({"type":"light","factor":0.8})") +
                            row(30, R"({"type":"set","settings":["decision.strategy=random"]})") +
-                           row(40, R"({"type":"take-over","body":1})") + row(60, R"({"type":"give-back","body":1})");
+                           row(40, R"({"type":"take-over","body":1})") +
+                           row(60, R"({"type":"give-back","body":1})");
   EXPECT_EQ(disturbed(scratch, "room", rows, {"--duration", "3"}).code, 0);
   EXPECT_EQ(testing::incognita({"run", "room", "--duration", "3", "--out", "again", "--no-figures",
                                 "--replay-commands", "out"},
@@ -101,31 +103,39 @@ TEST(ProgramInterventions, RepeatTheSameBytes) {
                 .code,
             0);
   const auto one = scratch.folder() / "out", two = scratch.folder() / "again";
-  for (const char* file : {"effective.toml", "estimate.tum", "truth.tum", "series.csv", "measurements.csv", "actions.csv",
-                           "map.csv", "interventions.jsonl", "run.mcap"})
+  for (const char* file : {"effective.toml", "estimate.tum", "truth.tum", "series.csv", "measurements.csv",
+                           "actions.csv", "map.csv", "interventions.jsonl", "run.mcap"})
     EXPECT_TRUE(testing::contents(one / file) == testing::contents(two / file)) << file;
-  EXPECT_EQ(testing::incognita({"run", "room", "--duration", "3", "--out", "plain", "--no-figures"}, scratch.folder()).code,
+  EXPECT_EQ(testing::incognita({"run", "room", "--duration", "3", "--out", "plain", "--no-figures"},
+                               scratch.folder())
+                .code,
             0);
-  EXPECT_FALSE(testing::contents(one / "truth.tum") == testing::contents(scratch.folder() / "plain/truth.tum"));
+  EXPECT_FALSE(testing::contents(one / "truth.tum") ==
+               testing::contents(scratch.folder() / "plain/truth.tum"));
 }
 
 TEST(ProgramInterventions, TheScenarioIsThatOfTheRun) {
   const Scratch scratch;
-  EXPECT_EQ(testing::incognita({"run", "room", "--duration", "1", "--seed", "5", "--out", "one", "--no-figures"},
+  EXPECT_EQ(
+      testing::incognita({"run", "room", "--duration", "1", "--seed", "5", "--out", "one", "--no-figures"},
+                         scratch.folder())
+          .code,
+      0);
+  EXPECT_EQ(testing::incognita({"run", "--out", "two", "--no-figures", "--replay-commands", "one"},
                                scratch.folder())
                 .code,
             0);
-  EXPECT_EQ(testing::incognita({"run", "--out", "two", "--no-figures", "--replay-commands", "one"}, scratch.folder()).code,
-            0);
   for (const char* file : {"effective.toml", "estimate.tum", "run.mcap"})
-    EXPECT_TRUE(testing::contents(scratch.folder() / "one" / file) == testing::contents(scratch.folder() / "two" / file))
+    EXPECT_TRUE(testing::contents(scratch.folder() / "one" / file) ==
+                testing::contents(scratch.folder() / "two" / file))
         << file;
 }
 
 TEST(ProgramInterventions, AreRefusedWithFileAndLine) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"nonsense\n", "interventions.jsonl:1"},
-      {row(3, R"({"type":"light","factor":1})") + row(2, R"({"type":"light","factor":1})"), "interventions.jsonl:2"},
+      {row(3, R"({"type":"light","factor":1})") + row(2, R"({"type":"light","factor":1})"),
+       "interventions.jsonl:2"},
       {row(3, R"({"type":"light","factor":99})"), "factor"},
       {"{\"frame\":1}\n", "intervention"}};
   for (const auto& [rows, message] : cases) {
@@ -152,7 +162,8 @@ TEST(ProgramInterventions, ImpossibleOnesEndTheRun) {
     EXPECT_NE(ended.err.find(message), std::string::npos) << ended.err;
   }
   const Scratch scratch;
-  const Ended ended = disturbed(scratch, "circle", row(5, R"({"type":"light","factor":2})"), {"--duration", "1"});
+  const Ended ended =
+      disturbed(scratch, "circle", row(5, R"({"type":"light","factor":2})"), {"--duration", "1"});
   EXPECT_EQ(ended.code, 1);
   EXPECT_NE(ended.err.find("no images"), std::string::npos) << ended.err;
 }

@@ -34,7 +34,8 @@ TEST(ManualFlight, GoesAheadLeftAndUpRelativeToTheHeading) {
   for (const auto& [direction, world] : cases) {
     const CameraState end = flown({direction, 0}, 4);
     EXPECT_NEAR((free_camera::velocity(end) - manual_speed_m_s * world).norm(), 0, 0.02);
-    EXPECT_NEAR((free_camera::position(end) - Eigen::Vector3d(1, 2, 1)).dot(world), 4 * manual_speed_m_s, 0.2);
+    EXPECT_NEAR((free_camera::position(end) - Eigen::Vector3d(1, 2, 1)).dot(world), 4 * manual_speed_m_s,
+                0.2);
   }
 }
 

@@ -16,6 +16,7 @@ Snapshot snapshot(int frame) {
   s.status.state = TrackingState::tracking;
   s.bodies.resize(1);
   s.bodies[0].state = TrackingState::tracking;
+  s.bodies[0].estimate.position = {0.5, 0, 1.0 * frame};
   s.matched = frame;
   s.timing_ms = {{"frame", 2.0}};
   return s;
@@ -29,6 +30,9 @@ TEST(SeriesHistory, HoldsEveryFrame) {
   EXPECT_EQ(json["columns"]["matched"], Json({0, 1, 2, 3, 4}));
   EXPECT_EQ(json["timing_ms"]["frame"].size(), 5u);
   EXPECT_EQ(json["state"][4], "tracking");
+  EXPECT_EQ(json["paths"][0]["estimate"].size(), 5u);
+  EXPECT_EQ(json["paths"][0]["estimate"][2], Json({0.5, 0, 2}));
+  EXPECT_TRUE(json["paths"][0]["truth"][2].is_null());
   EXPECT_TRUE(json["columns"]["coverage"][0].is_null());
 }
 
@@ -59,9 +63,8 @@ TEST(SeriesHistory, ListsEvents) {
   std::vector<std::string> found;
   for (const Json& event : events)
     found.push_back(event["kind"].get<std::string>() + ": " + event["text"].get<std::string>());
-  EXPECT_EQ(found,
-            (std::vector<std::string>{"initialized: landmark 12", "decision: left", "disturbance: cover-lens",
-                                      "lost: nothing matched", "removed: landmark 12"}));
+  EXPECT_EQ(found, (std::vector<std::string>{"initialized: landmark 12", "decision: left",
+                                             "disturbance: cover-lens", "lost: nothing matched"}));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "incognita/app/commands/page_options.hpp"
 #include "incognita/app/console/print_message.hpp"
+#include "incognita/app/view/laboratory_page.hpp"
 #include "incognita/app/view/replay_page.hpp"
 #include "incognita/messages/errors.hpp"
 
@@ -31,6 +32,11 @@ void serve_until_interrupted(const std::string& address) {
 }
 
 int view(const Options& options) {
+  if (options.runs.size() == 1 && is_laboratory(options.runs[0])) {
+    const LaboratoryPage page(options.runs[0], server_settings(options.page));
+    serve_until_interrupted(page.address());
+    return 0;
+  }
   if (options.runs.size() > 2)
     throw InputError("view: one run can be replayed, or two compared; " +
                      std::to_string(options.runs.size()) + " were given");
@@ -42,9 +48,13 @@ int view(const Options& options) {
 }  // namespace
 
 CLI::App* add_view(CLI::App& app, std::function<int()>& job) {
-  CLI::App* command = app.add_subcommand("view", "Replay one run in the browser, or compare two");
+  CLI::App* command = app.add_subcommand(
+      "view", "Show results in the browser: replay one run, compare two, or read claims and campaigns");
   auto options = std::make_shared<Options>();
-  command->add_option("RUN", options->runs, "Run directory; two are compared")->required();
+  command
+      ->add_option("RUN", options->runs,
+                   "Run directory; two are compared; or a folder of `reproduce` or `campaign`")
+      ->required();
   command->add_option("--port", options->page.port, "Port of the page [any free one]")->type_name("PORT");
   add_access_options(*command, options->page);
   command->footer(

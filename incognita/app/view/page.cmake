@@ -22,6 +22,6 @@ file(GLOB view_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/view/*.
 list(FILTER view_sources EXCLUDE REGEX "/(settings_json|laboratory).cpp$")  # in targets of their own
 add_library(incognita_app_view STATIC ${view_sources} ${embedded_sources})
 target_compile_definitions(incognita_app_view PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
-target_link_libraries(incognita_app_view PUBLIC incognita::live incognita::app
+target_link_libraries(incognita_app_view PUBLIC incognita::live incognita::app incognita_app_laboratory
                       PRIVATE incognita_app_config nlohmann_json::nlohmann_json fmt::fmt)
 incognita_reuse_precompiled(incognita_app_view incognita_common)

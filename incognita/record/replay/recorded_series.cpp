@@ -41,6 +41,24 @@ Json column_json(const CsvTable& table, const std::string& name, std::size_t fra
   return list;
 }
 
+Json position(const std::optional<std::array<double, 3>>& known) {
+  return known ? Json(*known) : Json(nullptr);
+}
+
+/// Per body {"estimate": [[x, y, z] or null, ...], "truth": [...]}, one entry per frame.
+Json paths_of(const SnapshotScan& scan) {
+  Json paths = Json::array();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(scan.bodies); ++i) {
+    Json estimate = Json::array(), truth = Json::array();
+    for (const RecordedFrame& frame : scan.frames) {
+      const RecordedPosition at = i < frame.bodies.size() ? frame.bodies[i] : RecordedPosition{};
+      estimate.push_back(position(at.estimate)), truth.push_back(position(at.truth));
+    }
+    paths.push_back({{"estimate", std::move(estimate)}, {"truth", std::move(truth)}});
+  }
+  return paths;
+}
+
 }  // namespace
 
 std::string recorded_series(const std::filesystem::path& directory, const SnapshotScan& scan) {
@@ -60,6 +78,7 @@ std::string recorded_series(const std::filesystem::path& directory, const Snapsh
   const CsvTable timings = table_of(directory / "timings.csv", scan.frames);
   for (const std::string& name : timings.columns)
     if (name.ends_with("_ms")) timing[name.substr(0, name.size() - 3)] = column_json(timings, name, frames);
+  json["paths"] = paths_of(scan);
   Json& events = json["events"] = Json::array();
   for (const RecordedEvent& event : scan.events)
     events.push_back({{"frame", event.frame}, {"t", event.t}, {"kind", event.kind}, {"text", event.text}});

@@ -84,6 +84,22 @@ class EventFinder {
   std::string state_;
 };
 
+std::optional<std::array<double, 3>> position_in(const Json& json) {
+  const auto found = json.find("position");
+  if (found == json.end()) return std::nullopt;
+  return std::array{found->at("x").get<double>(), found->at("y").get<double>(), found->at("z").get<double>()};
+}
+
+std::vector<RecordedPosition> positions_in(const Json& bodies) {
+  std::vector<RecordedPosition> positions;
+  for (const Json& body : bodies) {
+    positions.push_back({position_in(body), {}});
+    if (const auto truth = body.find("truth"); truth != body.end())
+      positions.back().truth = position_in(*truth);
+  }
+  return positions;
+}
+
 class Scanner {
  public:
   void add(const std::string& text) {
@@ -94,6 +110,7 @@ class Scanner {
     const std::size_t which = scan_.frames.size();
     if (snapshot.contains("landmarks")) frame.landmarks_at = which;
     if (snapshot.contains("exploration")) frame.explored_at = which;
+    frame.bodies = positions_in(snapshot.at("bodies"));
     events_.add(which, frame.t, snapshot);
     if (const auto found = snapshot.find("interventions"); found != snapshot.end())
       for (const Json& intervention : *found) scan_.interventions.push_back(intervention.dump());

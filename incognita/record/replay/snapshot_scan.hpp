@@ -1,6 +1,7 @@
 // One pass over the snapshots of a recorded run: times, states, events, and where the landmarks are.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,10 +11,16 @@
 
 namespace incognita {
 
+/// Of one body at one frame; none where it is unknown.
+struct RecordedPosition {
+  std::optional<std::array<double, 3>> estimate, truth;  ///< m, world
+};
+
 struct RecordedFrame {
   double t = 0;                                          ///< s
   std::string state;                                     ///< as in series.csv
   std::optional<std::size_t> landmarks_at, explored_at;  ///< most recent frame that has them
+  std::vector<RecordedPosition> bodies = {};
 };
 
 struct RecordedEvent {

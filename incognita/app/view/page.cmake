@@ -1,7 +1,7 @@
 # The page: web/ and the libraries it uses are built into the program. Without the libraries the program is built all the
 # same, and `--view` says what is missing.
 set(embedded_sources)
-incognita_embed(${PROJECT_SOURCE_DIR}/web embedded_page *.html *.css *.js *.svg */*.html */*.css */*.js)
+incognita_embed(${PROJECT_SOURCE_DIR}/web embedded_page *.html *.css *.js *.svg */*.html */*.css */*.js */*/*.css */*/*.js)
 set(libraries_root ${CMAKE_CURRENT_BINARY_DIR}/page_libraries)
 file(REMOVE_RECURSE ${libraries_root})
 file(MAKE_DIRECTORY ${libraries_root})

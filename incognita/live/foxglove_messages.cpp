@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "incognita/messages/errors.hpp"
+#include "incognita/record/files/json_limits.hpp"
 
 namespace incognita::foxglove {
 namespace {
@@ -57,6 +58,7 @@ std::string message_header(std::uint32_t subscription, std::uint64_t time_ns) {
 }
 
 Request request(std::string_view text) {
+  if (json_depth(text) > most_json_depth) throw InputError("a message must not be nested deeply");
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("op") || !json["op"].is_string())
     throw InputError("a message must be a JSON object with `op`");

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/replay/json_limits.hpp"
+#include "incognita/record/files/json_limits.hpp"
 #include "incognita/record/snapshot/interventions.hpp"
 
 namespace incognita {
@@ -62,6 +62,7 @@ ViewerCommand viewer_command(std::string_view text) {
 }
 
 std::string type_of_message(std::string_view text) {
+  if (json_depth(text) > most_json_depth) return "";
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("type") || !json["type"].is_string()) return "";
   return json["type"].get<std::string>().substr(0, 40);

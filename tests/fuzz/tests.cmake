@@ -1,6 +1,8 @@
 incognita_test(system_replay_test SOURCES fuzz/replay.cpp fuzz/system_fuzz.cpp
                USES incognita::systems incognita::io)
 target_link_libraries(system_replay_test PRIVATE PkgConfig::GINAC)
+incognita_test(viewer_message_replay_test SOURCES fuzz/viewer_message_replay.cpp fuzz/viewer_message_fuzz.cpp
+               USES incognita::live)
 if(INCOGNITA_SANITIZE)
   set(slowness 10)
 else()
@@ -11,7 +13,7 @@ foreach(replay system_replay_test run_replay_test)
   target_compile_definitions(${replay} PRIVATE INCOGNITA_SLOWNESS=${slowness})  # how much longer it may take
 endforeach()
 
-# fuzz/system_fuzz.cpp and run_fuzz.cpp describe the build with clang
+# fuzz/system_fuzz.cpp, run_fuzz.cpp and viewer_message_fuzz.cpp describe the build with clang
 option(INCOGNITA_FUZZ "Build the fuzz targets (clang, with INCOGNITA_SANITIZE=fuzzer-no-link,address,undefined)" OFF)
 if(INCOGNITA_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang OR NOT INCOGNITA_SANITIZE MATCHES fuzzer-no-link)
@@ -22,7 +24,9 @@ if(INCOGNITA_FUZZ)
   target_link_libraries(system_fuzz PRIVATE incognita::systems incognita::io PkgConfig::GINAC)
   add_executable(run_fuzz fuzz/run_fuzz.cpp)
   target_link_libraries(run_fuzz PRIVATE incognita::record)
-  foreach(target system_fuzz run_fuzz)
+  add_executable(viewer_message_fuzz fuzz/viewer_message_fuzz.cpp)
+  target_link_libraries(viewer_message_fuzz PRIVATE incognita::live)
+  foreach(target system_fuzz run_fuzz viewer_message_fuzz)
     target_link_options(${target} PRIVATE -fsanitize=fuzzer)
   endforeach()
 endif()

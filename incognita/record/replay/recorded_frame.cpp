@@ -8,8 +8,8 @@
 
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/files/csv_table.hpp"
+#include "incognita/record/files/json_limits.hpp"
 #include "incognita/record/files/number.hpp"
-#include "incognita/record/replay/json_limits.hpp"
 
 namespace incognita {
 namespace {

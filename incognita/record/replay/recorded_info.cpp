@@ -7,7 +7,7 @@
 
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/files/input_file.hpp"
-#include "incognita/record/replay/json_limits.hpp"
+#include "incognita/record/files/json_limits.hpp"
 
 namespace incognita {
 namespace {

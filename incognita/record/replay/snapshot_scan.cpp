@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/replay/json_limits.hpp"
+#include "incognita/record/files/json_limits.hpp"
 
 namespace incognita {
 namespace {

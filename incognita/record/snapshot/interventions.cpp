@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "incognita/messages/errors.hpp"
+#include "incognita/record/files/json_limits.hpp"
 
 namespace incognita {
 namespace {
@@ -153,6 +154,7 @@ Intervention from_json(const Json& json) {
 }
 
 Json parsed(std::string_view text) {
+  if (json_depth(text) > most_json_depth) throw InputError("intervention: is nested too deep");
   Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) throw InputError("intervention: this is not JSON");
   return json;

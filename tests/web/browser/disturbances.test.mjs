@@ -1,0 +1,64 @@
+// Disturbances and changes of strategy from the page: they act, they are logged, and a run that repeats them is the same.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import test from 'node:test';
+import { openPage, pause } from './harness/page.mjs';
+import { finishedRun, watchedRun } from './harness/program.mjs';
+import { connectViewer } from './harness/viewer.mjs';
+import { until } from './harness/waiting.mjs';
+
+/** What must be equal when the commands of a run are repeated. */
+const FILES = ['estimate.tum', 'map.csv', 'series.csv', 'interventions.jsonl', 'run.mcap'];
+const SCENARIO = ['--seed', '3', '--duration', '8'];
+
+const interventions = (folder) =>
+  readFileSync(join(folder, 'interventions.jsonl'), 'utf8').trim().split('\n').map((line) => JSON.parse(line));
+
+/** Presses the button of a row of the panel, after its inputs have got values. */
+async function use(page, row, button, values = {}) {
+  for (const [label, value] of Object.entries(values)) await page.getByLabel(label).fill(String(value));
+  await page.locator('.disturbances .row').filter({ hasText: row }).getByRole('button', { name: button }).click();
+}
+
+test('a displacement makes the run lost, and the commands can be repeated', async (t) => {
+  const run = await watchedRun(t, 'room', SCENARIO);
+  const page = await openPage(t, run.address);
+  await page.waitForFunction(() => window.incognita.snapshot.matched >= 5);
+  await use(page, 'displace', 'displace', { 'displacement along x, m': 0.7, 'turn about z, rad': 1 });
+  await page.locator('.status[data-state=lost]').waitFor();
+  const banner = await page.locator('.lost-banner').innerText();
+  assert.match(banner, /^Lost: \d+ frames in a row with fewer than 3 features matched; 0 of \d+ features matched$/);
+  await page.locator('.loop-state[data-state=ended]').waitFor();
+
+  assert.deepEqual(interventions(run.folder).map(({ intervention }) => intervention),
+    [{ type: 'displace', body: 1, by_m: [0.7, 0, 0], turn_rad: 1 }]);
+  const again = await finishedRun('room', [...SCENARIO, '--replay-commands', run.folder], [0, 1]);
+  for (const name of FILES) {
+    assert(readFileSync(join(run.folder, name)).equals(readFileSync(join(again, name))), `${name} is not the same`);
+  }
+});
+
+test('lens, noise, light and strategy act at once', async (t) => {
+  const run = await watchedRun(t, 'room', ['--seed', '3', '--duration', '60']);
+  const page = await openPage(t, run.address);
+  const viewer = await connectViewer(t, run.address);
+  await page.waitForFunction(() => window.incognita.snapshot.matched >= 5);
+
+  await page.getByLabel('cover the lens').check();
+  await page.waitForFunction(() => window.incognita.snapshot.matched === 0);
+  await page.getByLabel('cover the lens').uncheck();
+  await page.waitForFunction(() => window.incognita.snapshot.matched >= 5);
+
+  const applied = [];
+  viewer.socket.on('message', (data, binary) => !binary && applied.push(...(JSON.parse(String(data)).snapshot?.interventions ?? [])));
+  await use(page, 'image noise', 'set', { 'image noise, gray levels': 20 });
+  await use(page, 'light', 'set', { 'light, × (1: as it is)': 0.5 });
+  await page.getByLabel('strategy').selectOption('random');
+  await until(() => applied.length >= 3, 'three interventions');
+  assert.deepEqual(applied, [{ type: 'image-noise', sigma_gray: 20 }, { type: 'light', factor: 0.5 },
+    { type: 'set', settings: ['decision.strategy=random'] }]);
+  await pause(page);
+  const events = await page.evaluate(() => window.incognita.runs[0].events.filter(({ kind }) => kind === 'disturbance').map(({ text }) => text));
+  assert.deepEqual(events, ['cover-lens', 'cover-lens', 'image-noise', 'light', 'set']);
+});

@@ -1,0 +1,59 @@
+// An operator takes a body over by keys, drives it and gives it back.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { openPage } from './harness/page.mjs';
+import { watchedRun } from './harness/program.mjs';
+import { connectViewer } from './harness/viewer.mjs';
+import { until } from './harness/waiting.mjs';
+
+const DISTANCE_M = 0.15;
+
+/** Direction of the body's axis `axis` in the world. */
+function direction({ x, y, z, w }, axis) {
+  const columns = [
+    [1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)],
+    [2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)],
+    [2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)],
+  ];
+  return columns[axis];
+}
+const minus = (a, b) => [a.x - b.x, a.y - b.y, a.z - b.z];
+const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
+
+/** Drives with a held key until the body has moved, and returns the cosine of the angle between motion and `expected`. */
+async function drive(page, viewer, key, expected) {
+  const start = viewer.snapshot.bodies[0].truth;
+  await page.keyboard.down(key);
+  const moved = await until(() => {
+    const step = minus(viewer.snapshot.bodies[0].truth.position, start.position);
+    return Math.hypot(...step) > DISTANCE_M && step;
+  }, `motion by ${key}`);
+  await page.keyboard.up(key);
+  return dot(moved, expected(start.orientation)) / Math.hypot(...moved);
+}
+
+test('a body that is taken over moves as it is driven', async (t) => {
+  const run = await watchedRun(t, 'room', ['--duration', '120']);
+  const page = await openPage(t, run.address);
+  const viewer = await connectViewer(t, run.address);
+  const manual = () => viewer.snapshot?.bodies[0].manual === true;
+  await page.waitForFunction(() => window.incognita.snapshot.matched >= 5);
+  assert.equal(manual(), false);
+
+  await page.getByRole('button', { name: 'Take over' }).focus();
+  await page.keyboard.press('Enter');
+  await until(manual, 'the body to be taken over');
+  await page.getByRole('button', { name: 'Give back' }).waitFor();
+  await page.locator('.decision-body .chosen', { hasText: 'taken over' }).waitFor();
+
+  const horizontal = ([x, y]) => [x / Math.hypot(x, y), y / Math.hypot(x, y), 0];
+  const forward = (orientation) => horizontal(direction(orientation, 2));  // a camera looks along z
+  const up = () => [0, 0, 1];
+  assert(await drive(page, viewer, 'w', forward) > 0.9, 'W does not drive forward');
+  assert(await drive(page, viewer, 's', forward) < -0.9, 'S does not drive back');
+  assert(await drive(page, viewer, 'r', up) > 0.9, 'R does not lift');
+
+  await page.getByRole('button', { name: 'Give back' }).click();
+  await until(() => !manual(), 'the body to be given back');
+  await page.getByRole('button', { name: 'Take over' }).waitFor();
+});

@@ -6,7 +6,7 @@ import { watchedRun } from './harness/program.mjs';
 import { connectViewer } from './harness/viewer.mjs';
 import { until } from './harness/waiting.mjs';
 
-const DISTANCE_M = 0.15;
+const DISTANCE_M = 0.3;
 
 /** Direction of the body's axis `axis` in the world. */
 function direction({ x, y, z, w }, axis) {
@@ -20,8 +20,21 @@ function direction({ x, y, z, w }, axis) {
 const minus = (a, b) => [a.x - b.x, a.y - b.y, a.z - b.z];
 const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
 
+/** Waits until the body moves less than `distance` in as many frames: accelerations of the simulation always move it a little. */
+async function rest(viewer, frames = 6, distance = 0.015) {
+  let from = viewer.snapshot;
+  await until(() => {
+    const now = viewer.snapshot;
+    if (now.frame < from.frame + frames) return false;
+    const still = Math.hypot(...minus(now.bodies[0].truth.position, from.bodies[0].truth.position)) < distance;
+    from = now;
+    return still;
+  }, 'the body to be at rest');
+}
+
 /** Drives with a held key until the body has moved, and returns the cosine of the angle between motion and `expected`. */
 async function drive(page, viewer, key, expected) {
+  await rest(viewer);
   const start = viewer.snapshot.bodies[0].truth;
   await page.keyboard.down(key);
   const moved = await until(() => {

@@ -1,0 +1,38 @@
+// Another run is started from the page, with settings that the program has checked.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import test from 'node:test';
+import { openPage } from './harness/page.mjs';
+import { watchedRun } from './harness/program.mjs';
+
+test('a wrong setting shows the message of the program, a right one starts a run', async (t) => {
+  const run = await watchedRun(t, 'room', ['--duration', '60']);
+  const page = await openPage(t, run.address, { tolerate: /status of 400/ });
+  await page.getByRole('button', { name: 'New run…' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New run' });
+  const answer = dialog.locator('.answer');
+  const says = (words) => answer.filter({ hasText: words }).waitFor();
+  await says('✓ The settings are valid.');
+  await dialog.getByLabel('scenario').selectOption('explore-room');
+  await says('✓ The settings are valid.');
+  await dialog.locator('.new-run-top').getByLabel('seed').fill('7');
+  await dialog.getByLabel('Filter settings').fill('run.duration');
+  const duration = dialog.locator('[id="setting-run.duration_s"]');
+  await duration.fill('-5');
+  await dialog.getByRole('button', { name: 'Start' }).click();
+  await says('run.duration_s = -5');
+  assert.match(await answer.innerText(), /must be/);
+  assert.equal(await page.evaluate(() => window.incognita.runs[0].info.name), 'room');
+
+  await duration.fill('2');
+  await dialog.getByRole('button', { name: 'Start' }).click();
+  await dialog.waitFor({ state: 'hidden' });
+  await page.locator('.run-name', { hasText: 'explore-room, seed 7' }).waitFor();
+  await page.locator('.loop-state[data-state=ended]').waitFor();
+  await page.waitForFunction(() => window.incognita.snapshot?.frame === 29);
+  assert.equal(await page.evaluate(() => window.incognita.gaps), 0);
+  const settings = readFileSync(join(`${run.folder}-2`, 'effective.toml'), 'utf8');
+  assert.match(settings, /^seed = 7 /m);
+  assert.match(settings, /^duration_s = 2\.0 /m);
+});

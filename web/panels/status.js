@@ -1,5 +1,15 @@
 // Status line of one run: tracking state with its reason, counts, and a banner when the run is lost.
 import { element } from './dom.js';
+
+/**
+ * Landmarks in the map, without anchors. The list of landmarks may be up to a second older than the identities.
+ * @param {import('../state/types.js').Snapshot} snapshot
+ */
+function mappedLandmarks(snapshot) {
+  const anchors = new Set(snapshot.landmarks?.filter((landmark) => landmark.kind === 'anchor').map(({ id }) => id));
+  return (snapshot.landmark_ids ?? []).filter((id) => !anchors.has(id)).length;
+}
+
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 /** @typedef {import('../state/session.js').Session} Session */
 
@@ -41,9 +51,7 @@ export function statusLine(run, session) {
     values.frame.textContent = snapshot
       ? `${snapshot.frame}${info?.expected_frames ? ` of ${info.expected_frames}` : ''}`
       : '–';
-    values.landmarks.textContent = String(
-      snapshot?.landmark_ids?.length ?? snapshot?.landmarks?.length ?? '–',
-    );
+    values.landmarks.textContent = snapshot ? String(mappedLandmarks(snapshot)) : '–';
     values.matched.textContent = snapshot ? `${snapshot.matched} of ${snapshot.predicted}` : '–';
     const lost = state === 'lost';
     if (banner.hidden === lost) {

@@ -21,8 +21,11 @@ const shown = (page, time) => page.waitForFunction((wanted) => window.incognita.
   return Math.abs(snapshot.t - series.t[frame]) < 1e-9;
 }), time);
 
+/** A run that several tests replay. */
+const explored = finishedRun('explore-room', ['--seed', '2', '--duration', '6']);
+
 test('the end of a replay has the numbers of the run directory', async (t) => {
-  const folder = await finishedRun('explore-room', ['--seed', '2', '--duration', '6']);
+  const folder = await explored;
   const page = await openPage(t, (await serve(t, ['view', folder])).address);
   assert.match(await page.locator('#mode').innerText(), /^replay/);
   const summary = summaryOf(folder);
@@ -45,14 +48,14 @@ test('the end of a replay has the numbers of the run directory', async (t) => {
 });
 
 test('the status line counts landmarks as the run directory does', async (t) => {
-  const folder = await finishedRun('explore-room', ['--seed', '2', '--duration', '2']);
+  const folder = await explored;
   const page = await openPage(t, (await serve(t, ['view', folder])).address);
   await seek(page, lastOf(table(folder, 'series.csv')).t);
   assert.equal(await fact(page, 'landmarks'), String(summaryOf(folder).landmarks));
 });
 
 test('bars of the decision are the scores of actions.csv, relative to staying', async (t) => {
-  const folder = await finishedRun('explore-room', ['--seed', '2', '--duration', '6']);
+  const folder = await explored;
   const page = await openPage(t, (await serve(t, ['view', folder])).address);
   const decisions = table(folder, 'actions.csv');
   assert(decisions.length >= 5);
@@ -78,7 +81,7 @@ test('bars of the decision are the scores of actions.csv, relative to staying', 
 });
 
 test('two runs are scrubbed at one time, and events are found', async (t) => {
-  const slow = await finishedRun('explore-room', ['--seed', '2', '--duration', '4']);
+  const slow = await explored;
   const fast = await finishedRun('room', ['--seed', '2', '--duration', '4']);
   const page = await openPage(t, (await serve(t, ['view', slow, fast])).address);
   await seek(page, 2.55);
@@ -102,7 +105,6 @@ test('a run that has ended can be played again', async (t) => {
   const page = await openPage(t, run.address);
   await page.locator('.loop-state[data-state=ended]').waitFor();
   await page.waitForFunction(() => window.incognita.snapshot.frame === 29);
-  await page.getByLabel('Speed', { exact: true }).selectOption('0.5');
   await page.getByRole('button', { name: 'Play' }).click();
   await page.waitForFunction(() => window.incognita.snapshot.frame > 5 && window.incognita.snapshot.frame < 25);
   await page.waitForFunction(() => window.incognita.snapshot.frame === 29);

@@ -84,7 +84,7 @@ await (await program(['run', 'explore-room', '--seed', '1', '--out', run, '--no-
 const replay = await program(['view', run]);
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ARGUMENTS });
 await still(browser, replay.address, 'page.png', 1280, 720, 'light');
-await still(browser, replay.address, 'page-phone.png', 360, 740, 'dark');
+await still(browser, replay.address, 'phone.png', 360, 740, 'dark');
 await animation(browser, replay.address);
 await browser.close();
 await replay.end();

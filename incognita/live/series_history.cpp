@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -14,24 +15,39 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t most_events = 5000;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json column_of(const std::vector<std::vector<double>>& rows, std::size_t column) {
+/// Rows of `width` numbers, one after the other.
+struct Rows {
+  const std::vector<double>& numbers;
+  std::size_t width;
+  std::size_t size() const { return width ? numbers.size() / width : 0; }
+  double at(std::size_t row, std::size_t column) const { return numbers[row * width + column]; }
+};
+
+Json column_of(const Rows& rows, std::size_t column) {
   Json values = Json::array();
-  for (const auto& row : rows) values.push_back(number(row[column]));
+  for (std::size_t i = 0; i < rows.size(); ++i) values.push_back(number(rows.at(i, column)));
   return values;
 }
 
-Json position(const std::optional<Eigen::Vector3d>& known) {
-  return known && known->allFinite() ? Json{known->x(), known->y(), known->z()} : Json(nullptr);
+Json states_of(const Rows& rows) {
+  Json states = Json::array();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    states.push_back(name(static_cast<TrackingState>(static_cast<int>(rows.at(i, 1)))));
+  return states;
 }
 
-template <class Value>
-void keep_every_other(std::vector<Value>& values) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < values.size(); i += 2) std::swap(values[kept++], values[i]);
-  values.resize(kept);
+/// Of the position that begins at that column.
+Json path_of(const Rows& rows, std::size_t column) {
+  Json path = Json::array();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double x = rows.at(i, column), y = rows.at(i, column + 1), z = rows.at(i, column + 2);
+    path.push_back(std::isfinite(x + y + z) ? Json{x, y, z} : Json(nullptr));
+  }
+  return path;
 }
 
 }  // namespace
@@ -41,8 +57,8 @@ SeriesHistory::SeriesHistory(bool with_errors, std::size_t most_rows)
 
 void SeriesHistory::add_events(const Snapshot& snapshot) {
   const auto event = [&](std::string kind, std::string text) {
-    if (events_.size() >= most_events) events_.erase(events_.begin());
-    events_.push_back({frames_, snapshot.tick.t, std::move(kind), std::move(text)});
+    if (kept_.events.size() >= most_events) kept_.events.erase(kept_.events.begin());
+    kept_.events.push_back({kept_.frames, snapshot.tick.t, std::move(kind), std::move(text)});
   };
   const TrackingState state = snapshot.status.state;
   if (state != last_state_ && (state == TrackingState::lost || state == TrackingState::relocated))
@@ -56,55 +72,65 @@ void SeriesHistory::add_events(const Snapshot& snapshot) {
   for (const Intervention& intervention : snapshot.interventions) event("disturbance", name(intervention));
 }
 
+void SeriesHistory::begin(const Snapshot& first) {
+  for (const auto& [stage, ms] : first.timing_ms) kept_.stages.emplace_back(stage);
+  kept_.bodies = first.bodies.size();
+  width_ = 2 + names_.size() + kept_.stages.size() + 6 * kept_.bodies;
+  kept_.rows.reserve(most_rows_ * width_);
+}
+
+void SeriesHistory::add_row(const Snapshot& snapshot) {
+  const std::vector<double> series = series_row(snapshot, with_errors_);
+  auto to = kept_.rows.insert(kept_.rows.end(), width_, unknown);
+  *to++ = snapshot.tick.t;
+  *to++ = static_cast<double>(snapshot.status.state);
+  to = std::copy(series.begin(), series.end(), to);
+  for (std::size_t i = 0; i < std::min(kept_.stages.size(), snapshot.timing_ms.size()); ++i)
+    to[static_cast<std::ptrdiff_t>(i)] = snapshot.timing_ms[i].second;
+  to += static_cast<std::ptrdiff_t>(kept_.stages.size());
+  for (std::size_t i = 0; i < std::min(kept_.bodies, snapshot.bodies.size()); ++i, to += 6) {
+    const SnapshotBody& body = snapshot.bodies[i];
+    if (has_pose(body)) std::copy_n(body.estimate.position.data(), 3, to);
+    if (body.truth) std::copy_n(body.truth->position.data(), 3, to + 3);
+  }
+}
+
+/// Keeps every other row.
 void SeriesHistory::thin() {
-  keep_every_other(t_), keep_every_other(state_), keep_every_other(rows_), keep_every_other(timing_ms_),
-      keep_every_other(positions_);
+  const auto begin = kept_.rows.begin();
+  std::size_t kept = 0;
+  for (std::size_t at = 0; at < kept_.rows.size(); at += 2 * width_, kept += width_)
+    std::copy_n(begin + static_cast<std::ptrdiff_t>(at), width_, begin + static_cast<std::ptrdiff_t>(kept));
+  kept_.rows.resize(kept);
   stride_ *= 2;
 }
 
 void SeriesHistory::add(const Snapshot& snapshot) {
   const std::lock_guard lock(mutex_);
   add_events(snapshot);
-  if (frames_++ % stride_ != 0) return;
-  if (stages_.empty())
-    for (const auto& [stage, ms] : snapshot.timing_ms) stages_.emplace_back(stage);
-  t_.push_back(snapshot.tick.t);
-  state_.push_back(snapshot.status.state);
-  rows_.push_back(series_row(snapshot, with_errors_));
-  timing_ms_.emplace_back(stages_.size());
-  for (std::size_t i = 0; i < stages_.size() && i < snapshot.timing_ms.size(); ++i)
-    timing_ms_.back()[i] = snapshot.timing_ms[i].second;
-  auto& positions = positions_.emplace_back();
-  for (const SnapshotBody& body : snapshot.bodies) {
-    positions.emplace_back();
-    if (has_pose(body)) positions.back().estimate = body.estimate.position;
-    if (body.truth) positions.back().truth = body.truth->position;
-  }
-  if (rows_.size() >= most_rows_) thin();
+  if (kept_.frames == 0) begin(snapshot);
+  if (kept_.frames++ % stride_ != 0) return;
+  add_row(snapshot);
+  if (kept_.rows.size() >= most_rows_ * width_) thin();
 }
 
 std::string SeriesHistory::json() const {
-  const std::lock_guard lock(mutex_);
-  Json json{{"t", t_}, {"frames", frames_}, {"first_frame", 0}};
-  Json& states = json["state"] = Json::array();
-  for (const TrackingState state : state_) states.push_back(name(state));
+  std::unique_lock lock(mutex_);
+  const Kept kept = kept_;
+  const Rows rows{kept.rows, width_};
+  lock.unlock();
+  Json json{
+      {"t", column_of(rows, 0)}, {"frames", kept.frames}, {"first_frame", 0}, {"state", states_of(rows)}};
+  std::size_t at = 2;
   Json& columns = json["columns"] = Json::object();
-  for (std::size_t i = 0; i < names_.size(); ++i) columns[names_[i]] = column_of(rows_, i);
+  for (const std::string& name : names_) columns[name] = column_of(rows, at++);
   Json& timing = json["timing_ms"] = Json::object();
-  for (std::size_t i = 0; i < stages_.size(); ++i) timing[stages_[i]] = column_of(timing_ms_, i);
-  std::size_t bodies = 0;
-  for (const auto& positions : positions_) bodies = std::max(bodies, positions.size());
+  for (const std::string& stage : kept.stages) timing[stage] = column_of(rows, at++);
   Json& paths = json["paths"] = Json::array();
-  for (std::size_t i = 0; i < bodies; ++i) {
-    Json estimate = Json::array(), truth = Json::array();
-    for (const auto& positions : positions_) {
-      const Position at = i < positions.size() ? positions[i] : Position{};
-      estimate.push_back(position(at.estimate)), truth.push_back(position(at.truth));
-    }
-    paths.push_back({{"estimate", std::move(estimate)}, {"truth", std::move(truth)}});
-  }
+  for (std::size_t i = 0; i < kept.bodies; ++i, at += 6)
+    paths.push_back({{"estimate", path_of(rows, at)}, {"truth", path_of(rows, at + 3)}});
   Json& events = json["events"] = Json::array();
-  for (const Event& event : events_)
+  for (const Event& event : kept.events)
     events.push_back({{"frame", event.frame}, {"t", event.t}, {"kind", event.kind}, {"text", event.text}});
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -23,29 +23,34 @@ class SeriesHistory {
   std::string json() const;
 
  private:
-  struct Position {
-    std::optional<Eigen::Vector3d> estimate, truth;  ///< m, world
-  };
   struct Event {
     std::int64_t frame;
     double t;
     std::string kind, text;
   };
+  /// What json() copies, so that the loop does not wait while the text is written.
+  struct Kept {
+    std::int64_t frames = 0;  ///< of the run, kept or not
+    /// A row is: t (s), the state's number, series_row, timing_ms, and of each body the estimated and the true position
+    /// (m, world); NaN if unknown. One block of memory: many small rows would fragment the heap of a long run.
+    std::vector<double> rows;
+    std::vector<std::string> stages;
+    std::size_t bodies = 0;
+    std::vector<Event> events;
+  };
+  void begin(const Snapshot& first);
   void add_events(const Snapshot& snapshot);
+  void add_row(const Snapshot& snapshot);
   void thin();
 
   mutable std::mutex mutex_;
-  std::vector<std::string> names_;
-  bool with_errors_;
-  std::size_t most_rows_;
-  std::int64_t frames_ = 0, stride_ = 1;
-  std::vector<double> t_;
-  std::vector<TrackingState> state_;
-  std::vector<std::vector<double>> rows_, timing_ms_;
-  std::vector<std::string> stages_;
-  std::vector<Event> events_;
-  std::vector<std::vector<Position>> positions_;  ///< of all bodies, per row
-  std::set<std::int64_t> initialized_;            ///< landmarks so far
+  const std::vector<std::string> names_;
+  const bool with_errors_;
+  const std::size_t most_rows_;
+  Kept kept_;
+  std::size_t width_ = 0;  ///< of a row
+  std::int64_t stride_ = 1;
+  std::set<std::int64_t> initialized_;  ///< landmarks so far
   TrackingState last_state_ = TrackingState::starting;
 };
 

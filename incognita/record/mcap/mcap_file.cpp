@@ -85,17 +85,16 @@ void McapFile::write(std::uint16_t channel, std::uint64_t time_ns, std::string_v
 
 void McapFile::flush() {
   if (!is_open() || chunk_.messages.empty()) return;
-  std::string bytes;
-  bytes.reserve(chunk_.records.size() + chunk_.records.size() / 8);
-  summary_.chunks.push_back(mcap::append_chunk(bytes, chunk_, data_end_));
-  data_crc_.add(bytes);
-  const std::uint64_t next_end = data_end_ + bytes.size();
+  writing_.clear();
+  summary_.chunks.push_back(mcap::append_chunk(writing_, chunk_, data_end_));
+  data_crc_.add(writing_);
+  const std::uint64_t next_end = data_end_ + writing_.size();
   std::string closing = mcap::closing_part(summary_, next_end, data_crc_.value());
-  bytes += closing;
-  if (const int error = write_at(descriptor_, bytes, static_cast<std::int64_t>(data_end_))) fail(error);
+  writing_ += closing;
+  if (const int error = write_at(descriptor_, writing_, static_cast<std::int64_t>(data_end_))) fail(error);
   data_end_ = next_end;
   closing_ = std::move(closing);
-  chunk_ = {};
+  chunk_.clear();
 }
 
 void McapFile::fail(int error) {
@@ -104,7 +103,7 @@ void McapFile::fail(int error) {
   // Truncating needs no disk space; if it fails nevertheless, there is no better fallback.
   [[maybe_unused]] const int cut = ::ftruncate(descriptor_, static_cast<off_t>(end));
   ::close(std::exchange(descriptor_, -1));
-  chunk_ = {};
+  chunk_.clear();
   throw RecordError(write_failure(path_, error));
 }
 

@@ -162,6 +162,13 @@ void append_message(std::string& bytes, const Message& message) {
   bytes.append(message.data);
 }
 
+void Chunk::clear() {
+  start_ns = end_ns = 0;
+  records.clear();
+  records_crc = {};
+  messages.clear();
+}
+
 ChunkIndex append_chunk(std::string& bytes, const Chunk& chunk, std::uint64_t offset) {
   const std::size_t begin = bytes.size();
   ChunkIndex index{chunk.start_ns, chunk.end_ns, offset, 0, {}, 0, chunk.records.size()};

@@ -68,6 +68,9 @@ struct Chunk {
   Crc32 records_crc;                       ///< checksum of `records`; update it with every append
   /// Per channel: time of each message and its offset in `records`.
   std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> messages;
+
+  /// Begins a new chunk in the memory of this one.
+  void clear();
 };
 
 /// Location of a chunk and its message indexes in the file.

@@ -53,9 +53,7 @@ class McapFile {
   mcap::Crc32 data_crc_;        ///< checksum of the file up to data_end_
   mcap::Summary summary_;       ///< chunks in the file; all schemas, channels and counts
   mcap::Chunk chunk_;           ///< current chunk, not written yet
-  /// Chunk and closing part as they are written. Its memory is kept, as that of `chunk_`: buffers of this size that
-  /// come and go among small ones would fragment the heap by tens of megabytes.
-  std::string writing_;
+  std::string writing_;         ///< chunk and closing part as they are written; a member to keep its memory
 };
 
 }  // namespace incognita

@@ -40,3 +40,4 @@ incognita_test(run_description_test SOURCES app/run_description_test.cpp USES in
 incognita_test(room_vehicle_test SOURCES app/room_vehicle_test.cpp USES incognita::app)
 incognita_test(combinations_test SOURCES app/combinations_test.cpp app/sensor_combinations_test.cpp USES incognita::app)
 incognita_test(laboratory_test SOURCES app/laboratory_test.cpp USES incognita_app_laboratory)
+incognita_test(live_control_test SOURCES app/live_control_test.cpp USES incognita_app_view)

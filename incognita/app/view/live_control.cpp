@@ -58,7 +58,7 @@ void LiveControl::begin() {
   std::unique_lock lock(mutex_);
   state_ = {true, false, state_.speed, "", ""};
   steps_ = 0;
-  stop_ = false;
+  stop_ = start_.has_value();  // a viewer may have started yet another run while this one was loaded
   interventions_.clear();
   anchor_.reset();
   changed(lock);

@@ -5,10 +5,9 @@ import { mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
+import { startDistantClients } from './harness/distant_clients.mjs';
 import { residentMb, table } from './harness/program.mjs';
-import { Viewer, socketAddress } from './harness/viewer.mjs';
 import { pass } from './harness/waiting.mjs';
-import WebSocket from 'ws';
 
 const HELP = `node measure.mjs PROGRAM [--repetitions 5] [--seconds 20] [--without-browser]
 
@@ -62,7 +61,7 @@ async function start({ scenario, set }) {
 /** One run with clients and, if wanted, a page. */
 async function run(setup, clients, browser) {
   const started = await start(setup);
-  const viewers = Array.from({ length: clients }, () => new Viewer(new WebSocket(socketAddress(started.address), 'incognita.v1')));
+  const distant = clients ? await startDistantClients(started.address, clients) : null;
   const page = browser ? await browser.newPage({ viewport: { width: 1280, height: 720 } }) : null;
   if (page) await page.goto(started.address);
   let memory = 0;
@@ -74,13 +73,13 @@ async function run(setup, clients, browser) {
     last: window.incognita.lastSeq, landmarks: window.incognita.landmarkCount(),
     submitMs: window.incognita.submitMs.slice(first), heapMb: performance.memory.usedJSHeapSize / 2 ** 20 }), FIRST_DRAWINGS);
   await page?.close();
-  viewers.forEach(({ socket }) => socket.terminate());
+  const received = distant ? await distant.end() : [];
   const ended = new Promise((resolve) => started.child.on('exit', resolve));
   started.child.kill('SIGINT');
   await ended;
   const timings = table(started.folder, 'timings.csv').filter(({ t }) => t >= WARM_UP_S);
   const landmarks = table(started.folder, 'series.csv').filter(({ t }) => t >= WARM_UP_S).map((row) => row.landmarks);
-  return { timings, landmarks, viewers, memory, drawn };
+  return { timings, landmarks, received, memory, drawn };
 }
 
 /** What timings.csv counts of a tick, ms: `frame` holds the estimator, the decision and the control. */
@@ -105,25 +104,25 @@ async function compare(name, setup) {
     console.log(`${stage.padEnd(9)} ${cells.join('    ')}    ${range(ratios(0.5)).padEnd(23)} ${range(ratios(0.99))}`);
   }
   for (const clients of [0, CLIENTS]) console.log(`memory with ${clients} clients: ${range(runs[clients].map(({ memory }) => memory))} MB`);
-  reportClients(runs[CLIENTS].flatMap(({ viewers }) => viewers));
+  reportClients(runs[CLIENTS].flatMap(({ received }) => received));
 }
 
-/** @param {Viewer[]} viewers */
-function reportClients(viewers) {
-  const sum = (f) => viewers.reduce((total, viewer) => total + f(viewer), 0);
-  console.log(`clients: ${sum(({ received }) => received.length)} snapshots, ${sum(({ images }) => images)} images, ` +
-    `${sum(({ received }) => received[received.length - 1].dropped)} dropped, ${sum(({ gaps }) => gaps)} lost`);
+/** @param {{snapshots: number, images: number, bytes: number, dropped: number, lost: number}[]} received of each client */
+function reportClients(received) {
+  const sum = (f) => received.reduce((total, counts) => total + f(counts), 0);
+  console.log(`clients: ${sum(({ snapshots }) => snapshots)} snapshots, ${sum(({ images }) => images)} images, ` +
+    `${(sum(({ bytes }) => bytes) / 2 ** 20).toFixed(0)} MB, ${sum(({ dropped }) => dropped)} dropped, ${sum(({ lost }) => lost)} lost`);
 }
 
 async function watch(name, setup, browser) {
-  const { viewers, drawn, memory, timings } = await run(setup, CLIENTS, browser);
+  const { received, drawn, memory, timings } = await run(setup, CLIENTS, browser);
   console.log(`\n${name}, with a page and ${CLIENTS} clients:`);
   console.log(`page: last snapshot ${drawn.last}, ${drawn.dropped} dropped, ${drawn.gaps} lost; ${drawn.landmarks} landmarks at the end; ` +
     `JavaScript heap ${drawn.heapMb.toFixed(0)} MB`);
   console.log(`submission of a frame: median ${median(drawn.submitMs).toFixed(2)} ms, p99 ${quantile(drawn.submitMs, 0.99).toFixed(2)} ms of the last ` +
     `${drawn.submitMs.length}`);
   console.log(`loop: p50 ${median(whole(timings)).toFixed(2)} ms, p99 ${quantile(whole(timings), 0.99).toFixed(2)} ms; memory ${memory.toFixed(0)} MB`);
-  reportClients(viewers);
+  reportClients(received);
 }
 
 for (const [name, setup] of Object.entries(SETUPS)) await compare(name, setup);

@@ -116,12 +116,10 @@ void PageChannel::set_state(const LiveState& state) {
   });
 }
 
-void PageChannel::put_observability(std::string json) {
-  server_->post([this, json = std::move(json)] {
-    observability_ =
-        LiveMessage{std::make_shared<const std::string>("{\"type\":\"observability\"," + json + "}")};
-    send_to_all(*observability_);
-  });
+void PageChannel::put_observability(const std::string& json) {
+  observability_ =
+      LiveMessage{std::make_shared<const std::string>("{\"type\":\"observability\"," + json + "}")};
+  send_to_all(*observability_);
 }
 
 void PageChannel::refuse(const std::string& of, const std::string& why) {

@@ -43,12 +43,14 @@ class PageChannel final : public ViewerProtocol {
   /// Never waits for a viewer.
   void publish(std::shared_ptr<const Snapshot> snapshot);
   void set_state(const LiveState& state);
-  /// What the observability monitor says, as JSON fields without braces.
-  void put_observability(std::string json);
   /// To all viewers.
   void refuse(const std::string& of, const std::string& why);
   bool has_viewers() const { return viewer_count_ > 0; }
 
+  // From the server's thread:
+
+  /// What the observability monitor says, as JSON fields without braces.
+  void put_observability(const std::string& json);
   void joined(std::uint64_t id, Viewer& viewer) override;
   void left(std::uint64_t id) override;
   void received(std::uint64_t id, std::string_view message, bool binary) override;

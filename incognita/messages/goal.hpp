@@ -18,7 +18,7 @@ struct ManualDrive {
 
 /// Goal of one body.
 struct BodyGoal {
-  std::vector<double> scores;     ///< predicted information gain, nats, one per action, at the last decision
+  std::vector<double> scores;     ///< predicted information gain, nats, one per action, when last evaluated
   int chosen = -1;                ///< index of the current action; -1 before the first decision and when lost
   bool decided = false;           ///< chosen in this tick
   Eigen::Vector3d from{0, 0, 0};  ///< world, m: start of the action

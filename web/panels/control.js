@@ -11,6 +11,7 @@ export function controlPanel(run, session) {
   const content = element('div', { class: 'control-groups' });
   const made = panel('Control', 'control', content);
   let release = () => {};
+  let updateDecision = () => {};
   run.on('info', () => {
     release();
     const info = run.info;
@@ -18,36 +19,43 @@ export function controlPanel(run, session) {
     if (!info) return;
     const drive = info.manual ? driveControls(run, session) : null;
     release = drive?.release ?? release;
+    const decision = decisionControls(run, info, session);
+    updateDecision = decision.update;
     content.replaceChildren(
-      decisionControls(info, session),
+      decision.element,
       ...(drive ? [drive.element] : []),
       disturbanceControls(info, session),
     );
   });
+  run.on('decision-settings', () => updateDecision());
+  session.on('message', () => updateDecision());
   return made;
 }
 
-/** @param {Info} info @param {Session} session @returns {HTMLElement} */
-function decisionControls(info, session) {
-  const rows = [
-    ['strategy', info.strategies],
-    ['gaze', info.gazes],
-  ].flatMap(([key, words]) => {
-    if (!Array.isArray(words) || words.length === 0) return [];
-    const change = (/** @type {string} */ value) =>
-      session.intervene({ type: 'set', settings: [`decision.${key}=${value}`] });
-    const current = currentWord(info, String(key)) ?? words[0];
-    const made = select(
-      [...new Set([current, ...words])].map((word) => [word, word]),
-      change,
-    );
-    return [labeled(String(key), made)];
-  });
-  return element('fieldset', { hidden: rows.length === 0 }, element('legend', {}, 'Decision'), ...rows);
-}
-
-/** Value of `decision.KEY` in the effective settings. @param {Info} info @param {string} key */
-function currentWord(info, key) {
-  const section = (info.effective_toml ?? '').split(/^\[decision\]$/m)[1]?.split(/^\[/m)[0] ?? '';
-  return section.match(new RegExp(`^${key} = "([^"]*)"`, 'm'))?.[1];
+/**
+ * Strategy and gaze. A choice that the program refused goes back to the one in force.
+ * @param {RunState} run @param {Info} info @param {Session} session
+ * @returns {{element: HTMLElement, update: () => void}}
+ */
+function decisionControls(run, info, session) {
+  const keys = /** @type {const} */ (['strategy', 'gaze']);
+  const choices = { strategy: info.strategies ?? [], gaze: info.gazes ?? [] };
+  const offered = keys.filter((key) => choices[key].length > 0);
+  const selects = offered.map((key) =>
+    select(
+      [...new Set([info[key] ?? choices[key][0], ...choices[key]])].map((word) => [word, word]),
+      (word) => session.intervene({ type: 'set', settings: [`decision.${key}=${word}`] }),
+    ),
+  );
+  const update = () => selects.forEach((made, k) => (made.value = run.info?.[offered[k]] ?? made.value));
+  update();
+  return {
+    element: element(
+      'fieldset',
+      { hidden: selects.length === 0 },
+      element('legend', {}, 'Decision'),
+      ...selects.map((made, k) => labeled(offered[k], made)),
+    ),
+    update,
+  };
 }

@@ -51,9 +51,11 @@ function bodyGroup(body, number) {
           element(
             'p',
             { class: 'note' },
-            reference === 'stay'
-              ? 'score − score of “stay”, nats'
-              : `no action “stay”: score − lowest score (${spoken(reference)}), nats`,
+            `${chosen >= 0 ? '▶ chosen at the last decision; ' : ''}bars: ${
+              reference === 'stay'
+                ? 'score − that of “stay”, nats'
+                : `score − the lowest (${spoken(reference)}; there is no “stay”), nats`
+            }`,
           ),
         ]
       : []),

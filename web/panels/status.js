@@ -1,15 +1,6 @@
 // Status line of one run: tracking state with its reason, counts, and a banner when the run is lost.
 import { element } from './dom.js';
 
-/**
- * Landmarks in the map, without anchors. The list of landmarks may be up to a second older than the identities.
- * @param {import('../state/types.js').Snapshot} snapshot
- */
-function mappedLandmarks(snapshot) {
-  const anchors = new Set(snapshot.landmarks?.filter((landmark) => landmark.kind === 'anchor').map(({ id }) => id));
-  return (snapshot.landmark_ids ?? []).filter((id) => !anchors.has(id)).length;
-}
-
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 /** @typedef {import('../state/session.js').Session} Session */
 
@@ -66,4 +57,13 @@ export function statusLine(run, session) {
   session.on('loop', show);
   show();
   return element('div', { class: 'status-block' }, line, banner);
+}
+
+/**
+ * Landmarks in the map, without anchors. The list of landmarks may be up to a second older than the identities.
+ * @param {import('../state/types.js').Snapshot} snapshot
+ */
+function mappedLandmarks(snapshot) {
+  const anchors = new Set(snapshot.landmarks?.filter((landmark) => landmark.kind === 'anchor').map(({ id }) => id));
+  return (snapshot.landmark_ids ?? []).filter((id) => !anchors.has(id)).length;
 }

@@ -15,7 +15,7 @@ const RECENT_SNAPSHOTS = 40;
 /** Missing frames above which a path that was put together from single snapshots has a gap. */
 const GAP_FRAMES = 20;
 
-/** Emits `info`, `series`, `snapshot`, `image` and `observability`. */
+/** Emits `info`, `series`, `snapshot`, `image`, `observability`, and `decision-settings` when a viewer changed them. */
 export class RunState extends Emitter {
   sequence = new SequenceMonitor();
   /** @type {Info | null} */
@@ -84,7 +84,19 @@ export class RunState extends Emitter {
     if (!last || snapshot.frame > last.frame) this.events.push(...events);
     this.series.append(snapshot.t, snapshot.frame, snapshot.state, row, timing);
     this.emit('series');
+    this.#noteDecisionSettings(snapshot);
     this.#show(snapshot);
+  }
+
+  /** Strategy and gaze that a viewer changed before this frame. @param {Snapshot} snapshot */
+  #noteDecisionSettings(snapshot) {
+    const settings = (snapshot.interventions ?? []).flatMap((intervention) => intervention.settings ?? []);
+    if (!this.info || settings.length === 0) return;
+    for (const setting of settings) {
+      const [, key, word] = setting.match(/^decision\.(strategy|gaze)=(.*)$/) ?? [];
+      if (key === 'strategy' || key === 'gaze') this.info[key] = word;
+    }
+    this.emit('decision-settings');
   }
 
   /** A frame of a finished run. @param {Snapshot} snapshot */

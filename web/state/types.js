@@ -29,6 +29,8 @@
  * @property {boolean} [manual]
  * @property {string[]} [strategies]
  * @property {string[]} [gazes]
+ * @property {string} [strategy] in force
+ * @property {string} [gaze] in force
  */
 
 /**
@@ -83,7 +85,7 @@
  * @property {number[]} [landmark_ids]
  * @property {Landmark[]} [landmarks]
  * @property {Exploration} [exploration]
- * @property {{type: string}[]} [interventions]
+ * @property {{type: string, settings?: string[]}[]} [interventions] that took effect before this frame
  */
 
 /**

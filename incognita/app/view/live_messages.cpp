@@ -61,6 +61,16 @@ std::string live_info_json(const LoadedScenario& loaded, const RunInfo& info, st
   return text_of(json);
 }
 
+std::string changed_info_json(const std::string& info_json, const ChangeDecision& change) {
+  Json json = Json::parse(info_json);
+  for (const std::string& setting : change.settings)
+    for (const std::string key : {"strategy", "gaze"}) {
+      const std::string assignment = "decision." + key + "=";
+      if (setting.starts_with(assignment)) json[key] = setting.substr(assignment.size());
+    }
+  return text_of(json);
+}
+
 std::string observability_fields(const ObservabilityReport& report) {
   Json json{{"lines", in_words(report)}};
   Json& directions = json["directions"] = Json::array();

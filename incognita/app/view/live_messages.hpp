@@ -7,12 +7,16 @@
 
 #include "incognita/analysis/observability/observability_report.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
+#include "incognita/messages/intervention.hpp"
 #include "incognita/record/summary/run_info.hpp"
 
 namespace incognita {
 
 /// What is known of a run before its first frame, as JSON: docs/live-page.md. `frames`: expected; 0: unknown.
 std::string live_info_json(const LoadedScenario& loaded, const RunInfo& info, std::int64_t frames);
+
+/// The same after a viewer has changed the strategy or the gaze.
+std::string changed_info_json(const std::string& info_json, const ChangeDecision& change);
 
 /// What the observability monitor says, as JSON fields without braces: "lines" and "directions".
 std::string observability_fields(const ObservabilityReport& report);

@@ -1,5 +1,6 @@
 #include "incognita/app/view/live_page.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -19,6 +20,8 @@ namespace incognita {
 namespace {
 
 constexpr std::chrono::seconds observe_every{2};
+/// A report is cubic in the size of the map. Pause between two, in times of the last one: other messages wait meanwhile.
+constexpr int least_pause = 20;
 
 std::vector<std::string> settings_of(const HttpRequest& request) {
   std::vector<std::string> settings;
@@ -71,6 +74,11 @@ void LivePage::begin(const RunInfo& info, std::int64_t frames) {
 }
 
 void LivePage::publish(const Snapshot& snapshot) {
+  for (const Intervention& intervention : snapshot.interventions)
+    if (const auto* change = std::get_if<ChangeDecision>(&intervention)) {
+      const std::lock_guard lock(mutex_);
+      current_->info_json = changed_info_json(current_->info_json, *change);
+    }
   current_->history->add(snapshot);
   const auto shared = std::make_shared<const Snapshot>(snapshot);
   channel_->publish(shared);
@@ -78,12 +86,15 @@ void LivePage::publish(const Snapshot& snapshot) {
 }
 
 void LivePage::observe(const ObservabilityWatch& watch) {
-  const auto now = std::chrono::steady_clock::now();
-  if (now - observed_ < observe_every || !channel_->has_viewers()) return;
-  observed_ = now;
-  ObservabilityWatch copy =
-      watch;  // a report rearranges the information, which must not depend on who watches
-  if (const auto report = copy.report()) channel_->put_observability(observability_fields(*report));
+  if (Clock::now() < next_report_.load() || !channel_->has_viewers()) return;
+  next_report_ = Clock::time_point::max();  // until this one is done
+  // A copy, since a report rearranges the information, which must not depend on who watches
+  server_->post([this, copy = std::make_shared<ObservabilityWatch>(watch)] {
+    const auto start = Clock::now();
+    if (const auto report = copy->report()) channel_->put_observability(observability_fields(*report));
+    const auto end = Clock::now();
+    next_report_ = std::max(start + observe_every, end + least_pause * (end - start));
+  });
 }
 
 void LivePage::end(const RunOutcome& outcome) {

@@ -1,6 +1,8 @@
 // The page of a program that runs the loop: server, viewers, control, and the runs so far.
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -37,7 +39,8 @@ class LivePage final : public InterventionSource {
   void begin(const RunInfo& info, std::int64_t frames);
   LiveControl& control() { return control_; }
   void publish(const Snapshot& snapshot);
-  /// The observability monitor after an update: its report is sent about every two seconds while someone watches.
+  /// The observability monitor after an update: its report is sent about every two seconds while someone watches, on
+  /// large maps more rarely. It is computed in the server's thread.
   void observe(const ObservabilityWatch& watch);
   void end(const RunOutcome& outcome);
   /// A run could not start.
@@ -48,6 +51,8 @@ class LivePage final : public InterventionSource {
   LoadedScenario reloaded(const std::vector<std::string>& settings) override { return reload_(settings); }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   HttpAnswer answer(const HttpRequest& request);
   void command(const ViewerCommand& command);
 
@@ -65,8 +70,8 @@ class LivePage final : public InterventionSource {
   RecordedRuns runs_;
   std::optional<Current> current_;  ///< the run that goes on
   Reload reload_;
-  std::chrono::steady_clock::time_point observed_{};
-  std::unique_ptr<Server> server_;  ///< ends first
+  std::atomic<Clock::time_point> next_report_{};  ///< of the observability monitor
+  std::unique_ptr<Server> server_;                ///< ends first
 };
 
 }  // namespace incognita

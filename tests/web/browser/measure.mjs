@@ -15,7 +15,9 @@ Measures the live page in two set-ups, since no scenario has both a rendered ima
   map     scenario slam with a few hundred up to more than 500 landmarks, 60 snapshots/s, no images
   images  scenario room, 30 snapshots/s with 30 images/s, some 20 landmarks
 Of each: the stages of the loop (timings.csv) of runs in real time, with 0 and with 3 clients of the page's protocol in turn;
-the ratio of both; memory of the program. Then one run with the 3 clients and a page in headless Chromium with a software
+the ratio of both, as the median over the repetitions with its 95 % interval; memory of the program, median and range. The
+clients have the lowest priority and do not parse what they read, so that they cost the run little: usually they are on other
+machines. Then one run with the 3 clients and a page in headless Chromium with a software
 renderer: lost messages, and the time in which the page submits a frame of the scene.
 
 Packages: npm ci in this folder, or in a copy of it.`;
@@ -42,6 +44,17 @@ if (options.help || !program) {
 const quantile = (values, q) => [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(q * values.length))] ?? NaN;
 const median = (values) => quantile(values, 0.5);
 const ms = (value) => value.toFixed(3).padStart(9);
+/** Median, and between which two of the sorted values it lies with 95 % (with fewer than six: less). */
+function interval(values) {
+  const sorted = [...values].sort((a, b) => a - b), n = sorted.length;
+  let outside = 0, below = 0;
+  for (let term = 0.5 ** n; outside + 2 * term <= 0.05; term *= (n - below + 1) / below) {
+    outside += 2 * term;
+    ++below;
+  }
+  const first = Math.max(0, below - 1);
+  return `${median(values).toFixed(2)} (${sorted[first].toFixed(2)} to ${sorted[n - 1 - first].toFixed(2)})`;
+}
 const range = (values) => `${median(values).toFixed(2)} (${Math.min(...values).toFixed(2)} to ${Math.max(...values).toFixed(2)})`;
 
 /** Starts a run and waits for its page. */
@@ -95,13 +108,13 @@ async function compare(name, setup) {
   const all = runs[CLIENTS].flatMap(({ landmarks }) => landmarks);
   console.log(`\n${name}: ${setup.scenario} ${setup.set.join(' ')}, ${repetitions} x ${options.seconds} s, ` +
     `${Math.min(...all)} to ${Math.max(...all)} landmarks`);
-  console.log(`stage     p50 ms: 0, ${CLIENTS} clients    p99 ms: 0, ${CLIENTS} clients    ratio p50 (range)       ratio p99 (range)`);
+  console.log(`stage     p50 ms: 0, ${CLIENTS} clients    p99 ms: 0, ${CLIENTS} clients    ratio p50 (95 %)        ratio p99 (95 %)`);
   const stages = STAGES.filter((stage) => `${stage}_ms` in runs[0][0].timings[0]);
   for (const stage of [...stages, 'loop']) {
     const of = (clients, q) => runs[clients].map(({ timings }) => quantile(column(timings, stage), q));
     const ratios = (q) => of(CLIENTS, q).map((value, k) => value / of(0, q)[k]);
     const cells = [0.5, 0.99].map((q) => [0, CLIENTS].map((clients) => ms(median(of(clients, q)))).join(' '));
-    console.log(`${stage.padEnd(9)} ${cells.join('    ')}    ${range(ratios(0.5)).padEnd(23)} ${range(ratios(0.99))}`);
+    console.log(`${stage.padEnd(9)} ${cells.join('    ')}    ${interval(ratios(0.5)).padEnd(23)} ${interval(ratios(0.99))}`);
   }
   for (const clients of [0, CLIENTS]) console.log(`memory with ${clients} clients: ${range(runs[clients].map(({ memory }) => memory))} MB`);
   reportClients(runs[CLIENTS].flatMap(({ received }) => received));

@@ -63,3 +63,22 @@ test('lens, noise, light and strategy act at once', async (t) => {
   const events = await page.evaluate(() => window.incognita.runs[0].events.filter(({ kind }) => kind === 'disturbance').map(({ text }) => text));
   assert.deepEqual(events, ['cover-lens', 'cover-lens', 'image-noise', 'light', 'set']);
 });
+
+test('the strategy in force is shown: after a change, on a page opened later, and after a refusal', async (t) => {
+  const run = await watchedRun(t, 'room', ['--seed', '3', '--duration', '60']);
+  const page = await openPage(t, run.address);
+  const select = page.getByLabel('strategy');
+  const atFirst = await select.inputValue();
+  assert.notEqual(atFirst, 'random');
+  await select.selectOption('random');
+  await page.waitForFunction(() => window.incognita.runs[0].info.strategy === 'random');
+  assert.equal(await select.inputValue(), 'random');
+
+  await select.evaluate((node) => node.append(new Option('unheard-of')));
+  await select.selectOption('unheard-of');
+  await page.locator('.message pre', { hasText: 'unheard-of' }).waitFor();
+  assert.equal(await select.inputValue(), 'random');
+
+  const later = await openPage(t, run.address);
+  assert.equal(await later.getByLabel('strategy').inputValue(), 'random');
+});

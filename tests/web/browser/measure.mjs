@@ -1,24 +1,29 @@
 // Measures what watching costs a run, and what the page draws. A measurement, no test: see --help.
 import { chromium } from 'playwright-core';
 import { spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { startDistantClients } from './harness/distant_clients.mjs';
 import { residentMb, table } from './harness/program.mjs';
+import { socketAddress } from './harness/viewer.mjs';
 import { pass } from './harness/waiting.mjs';
+import WebSocket from 'ws';
 
-const HELP = `node measure.mjs PROGRAM [--repetitions 5] [--seconds 20] [--without-browser]
+const HELP = `node measure.mjs PROGRAM [--repetitions 10] [--seconds 20] [--part map,images,page,silent]
 
 Measures the live page in two set-ups, since no scenario has both a rendered image and a large map:
   map     scenario slam with a few hundred up to more than 500 landmarks, 60 snapshots/s, no images
   images  scenario room, 30 snapshots/s with 30 images/s, some 20 landmarks
-Of each: the stages of the loop (timings.csv) of runs in real time, with 0 and with 3 clients of the page's protocol in turn;
-the ratio of both, as the median over the repetitions with its 95 % interval; memory of the program, median and range. The
-clients have the lowest priority and do not parse what they read, so that they cost the run little: usually they are on other
-machines. Then one run with the 3 clients and a page in headless Chromium with a software
-renderer: lost messages, and the time in which the page submits a frame of the scene.
+Of each, part map or images: the stages of the loop (timings.csv) of runs in real time, with 0 and with 3 clients of the
+page's protocol in turn; the ratio of both, as the median over the repetitions with its 95 % interval; memory of the program,
+median and range. The clients have the lowest priority and do not parse what they read, so that they cost the run little:
+usually they are on other machines.
+Part page: one run of each with the 3 clients and a page in headless Chromium with a software renderer: lost messages, and the
+time in which the page submits a frame of the scene.
+Part silent: memory of the map set-up after a minute, with 0 clients and with 3 that never read.
 
 Packages: npm ci in this folder, or in a copy of it.`;
 
@@ -34,8 +39,8 @@ const FIRST_DRAWINGS = 5;
 const STAGES = ['world', 'sensor', 'decision', 'control', 'watch', 'frame'];
 
 const { values: options, positionals: [program] } = parseArgs({ allowPositionals: true, options: {
-  repetitions: { type: 'string', default: '5' }, seconds: { type: 'string', default: '20' },
-  'without-browser': { type: 'boolean', default: false }, help: { type: 'boolean', default: false } } });
+  repetitions: { type: 'string', default: '10' }, seconds: { type: 'string', default: '20' },
+  part: { type: 'string', default: 'map,images,page,silent' }, help: { type: 'boolean', default: false } } });
 if (options.help || !program) {
   console.log(HELP);
   process.exit(options.help ? 0 : 2);
@@ -58,9 +63,9 @@ function interval(values) {
 const range = (values) => `${median(values).toFixed(2)} (${Math.min(...values).toFixed(2)} to ${Math.max(...values).toFixed(2)})`;
 
 /** Starts a run and waits for its page. */
-async function start({ scenario, set }) {
+async function start({ scenario, set }, seconds = options.seconds) {
   const folder = join(mkdtempSync(join(tmpdir(), 'incognita-')), 'run');
-  const child = spawn(program, ['run', scenario, '--duration', options.seconds, ...set.flatMap((text) => ['--set', text]),
+  const child = spawn(program, ['run', scenario, '--duration', String(seconds), ...set.flatMap((text) => ['--set', text]),
     '--view=0', '--no-figures', '--out', folder], { stdio: ['ignore', 'ignore', 'pipe'] });
   let output = '';
   child.stderr.on('data', (bytes) => (output += bytes));
@@ -87,9 +92,8 @@ async function run(setup, clients, browser) {
     submitMs: window.incognita.submitMs.slice(first), heapMb: performance.memory.usedJSHeapSize / 2 ** 20 }), FIRST_DRAWINGS);
   await page?.close();
   const received = distant ? await distant.end() : [];
-  const ended = new Promise((resolve) => started.child.on('exit', resolve));
   started.child.kill('SIGINT');
-  await ended;
+  await once(started.child, 'exit');
   const timings = table(started.folder, 'timings.csv').filter(({ t }) => t >= WARM_UP_S);
   const landmarks = table(started.folder, 'series.csv').filter(({ t }) => t >= WARM_UP_S).map((row) => row.landmarks);
   return { timings, landmarks, received, memory, drawn };
@@ -138,8 +142,28 @@ async function watch(name, setup, browser) {
   reportClients(received);
 }
 
-for (const [name, setup] of Object.entries(SETUPS)) await compare(name, setup);
-if (!options['without-browser']) {
+const SILENT_S = 60;
+
+/** Clients that never read: their outboxes fill up, and after a time without a pong the program disconnects them. */
+async function silent(setup) {
+  for (const clients of [0, CLIENTS]) {
+    const started = await start(setup, SILENT_S + 10);
+    const sockets = Array.from({ length: clients }, () => new WebSocket(socketAddress(started.address), 'incognita.v1'));
+    sockets.forEach((socket) => socket.on('open', () => socket.pause()).on('error', () => {}));
+    await pass(1000 * SILENT_S);
+    const refusals = started.output().match(/^view: .*disconnected.*$/gm) ?? [];
+    console.log(`memory after ${SILENT_S} s with ${clients} clients that never read: ${residentMb(started.child.pid).toFixed(0)} MB` +
+      refusals.map((line) => `\n  ${line}`).join(''));
+    sockets.forEach((socket) => socket.terminate());
+    started.child.kill('SIGINT');
+    await once(started.child, 'exit');
+  }
+}
+
+const wanted = options.part.split(',');
+for (const [name, setup] of Object.entries(SETUPS)) if (wanted.includes(name)) await compare(name, setup);
+if (wanted.includes('silent')) await silent(SETUPS.map);
+if (wanted.includes('page')) {
   const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
     args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
   for (const [name, setup] of Object.entries(SETUPS)) await watch(name, setup, browser);

@@ -63,6 +63,7 @@ void PageChannel::begin(int index, const std::string& name, bool with_errors) {
   server_->post([this, index, name, with_errors] {
     with_errors_ = with_errors;
     last_published_.reset(), observability_.reset();
+    driven_.clear();
     run_ = message({{"type", "run"}, {"index", index}, {"name", name}});
     send_to_all(*run_);
   });
@@ -143,12 +144,35 @@ void PageChannel::left(std::uint64_t id) {
   viewers_.erase(id);
   viewer_count_ = static_cast<int>(viewers_.size());
   send_state();
+  stop_body_of(id);
+}
+
+/// A drive command holds until the next: nobody would stop a body whose driver's connection broke.
+void PageChannel::stop_body_of(std::uint64_t id) {
+  const auto driven = driven_.extract(id);
+  if (driven.empty()) return;
+  try {
+    command_(Intervention{DriveBody{driven.mapped()}});
+  } catch (const InputError&) {  // the run has ended
+  }
+}
+
+void PageChannel::note_driver(std::uint64_t id, const ViewerCommand& command) {
+  const auto* intervention = std::get_if<Intervention>(&command);
+  const auto* drive = intervention ? std::get_if<DriveBody>(intervention) : nullptr;
+  const auto* back = intervention ? std::get_if<GiveBackBody>(intervention) : nullptr;
+  if (!drive && !back) return;
+  const std::size_t body = drive ? drive->body : back->body;
+  std::erase_if(driven_, [body](const auto& driven) { return driven.second == body; });
+  if (drive && !(drive->direction.isZero(0) && drive->turn == 0)) driven_[id] = body;
 }
 
 void PageChannel::received(std::uint64_t id, std::string_view text, bool binary) {
   try {
     if (binary) throw InputError("message: must be text, not binary");
-    command_(viewer_command(text));
+    const ViewerCommand command = viewer_command(text);
+    command_(command);
+    note_driver(id, command);
   } catch (const InputError& error) {
     const auto viewer = viewers_.find(id);
     if (viewer == viewers_.end()) return;

@@ -60,6 +60,8 @@ class PageChannel final : public ViewerProtocol {
     std::uint64_t seq;
     std::shared_ptr<const Snapshot> snapshot;
   };
+  void stop_body_of(std::uint64_t id);
+  void note_driver(std::uint64_t id, const ViewerCommand& command);
   void deliver();
   void send_to_all(const LiveMessage& message);
   void send_state();
@@ -68,6 +70,7 @@ class PageChannel final : public ViewerProtocol {
 
   std::function<void(const ViewerCommand&)> command_;
   Server* server_ = nullptr;
+  std::map<std::uint64_t, std::size_t> driven_;  ///< the body that a viewer keeps moving
   std::atomic<int> viewer_count_{0};
   Mailbox<Published> mailbox_{16};
   std::uint64_t next_seq_ = 0;  ///< of the thread of the loop

@@ -20,6 +20,7 @@ export function driveControls(run, session) {
   const bodies = bodySelect(run.info?.bodies ?? 1);
   /** @type {Set<string>} */
   const held = new Set();
+  let driven = 1;
   let sent = REST;
   let padWasUsed = false;
   const body = () => Number(bodies.value);
@@ -95,14 +96,23 @@ export function driveControls(run, session) {
     held.clear();
     sent = REST;
   }
+  /** A gamepad that is disconnected while it drives stops the body. */
   function pollGamepad() {
-    const pad = takenOver() ? navigator.getGamepads?.().find((candidate) => candidate) : null;
-    if (!pad) return;
-    const drive = driveOfGamepad(pad.axes);
+    if (!takenOver()) return;
+    const pad = navigator.getGamepads?.().find((candidate) => candidate);
+    const drive = pad ? driveOfGamepad(pad.axes) : REST;
     const atRest = sameDrive(drive, REST);
     if (!atRest || padWasUsed) send(drive);
     padWasUsed = !atRest;
   }
+
+  bodies.addEventListener('change', () => {
+    if (!sameDrive(sent, REST)) session.intervene({ type: 'drive', body: driven, ...REST });
+    sent = REST;
+    held.clear();
+    driven = body();
+    showTaken();
+  });
 
   const { signal } = listening;
   document.addEventListener(

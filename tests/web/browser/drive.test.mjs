@@ -70,3 +70,45 @@ test('a body that is taken over moves as it is driven', async (t) => {
   await until(() => !manual(), 'the body to be given back');
   await page.getByRole('button', { name: 'Take over' }).waitFor();
 });
+
+/** Drive commands that took effect, as a viewer sees them. */
+function drivesSeenBy(viewer) {
+  const drives = [];
+  viewer.socket.on('message', (data, binary) => !binary && drives.push(
+    ...(JSON.parse(String(data)).snapshot?.interventions ?? []).filter(({ type }) => type === 'drive')));
+  return drives;
+}
+const REST = { forward: 0, left: 0, up: 0, turn: 0 };
+
+test('a gamepad drives, and stops the body when it is disconnected', async (t) => {
+  const run = await watchedRun(t, 'room', ['--duration', '120']);
+  const page = await openPage(t, run.address);
+  const viewer = await connectViewer(t, run.address);
+  const drives = drivesSeenBy(viewer);
+  await viewer.atFrame(5);
+  const axes = (values) => page.evaluate((axes) => (navigator.getGamepads = () => (axes ? [null, { axes }] : [null, null])), values);
+  await page.getByRole('button', { name: 'Take over' }).click();
+  await page.getByRole('button', { name: 'Give back' }).waitFor();
+
+  await axes([0.1, -0.6, -0.5, 0.02]);  // left stick forward, right stick to the left, both with play
+  await until(() => drives.length === 1, 'the drive command');
+  assert.deepEqual(drives[0], { type: 'drive', body: 1, forward: 0.6, left: 0, up: 0, turn: 0.5 });
+  await axes(null);
+  await until(() => drives.length === 2, 'the stop');
+  assert.deepEqual(drives[1], { type: 'drive', body: 1, ...REST });
+});
+
+test('a body stops when the viewer that drives it is gone', async (t) => {
+  const run = await watchedRun(t, 'room', ['--duration', '120']);
+  const [driver, other] = [await connectViewer(t, run.address), await connectViewer(t, run.address)];
+  const drives = drivesSeenBy(other);
+  await other.atFrame(5);
+  driver.send({ type: 'intervene', intervention: { type: 'take-over', body: 1 } });
+  driver.send({ type: 'intervene', intervention: { type: 'drive', body: 1, ...REST, forward: 1 } });
+  await until(() => drives.length === 1, 'the drive command');
+  driver.socket.terminate();
+  await until(() => drives.length === 2, 'the stop');
+  assert.deepEqual(drives[1], { type: 'drive', body: 1, ...REST });
+  assert.equal(other.snapshot.bodies[0].manual, true, 'the body is not given back');
+  assert.deepEqual(other.refused, []);
+});

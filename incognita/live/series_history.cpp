@@ -52,12 +52,15 @@ Json path_of(const Rows& rows, std::size_t column) {
 
 }  // namespace
 
-SeriesHistory::SeriesHistory(bool with_errors, std::size_t most_rows)
-    : names_(series_columns(with_errors)), with_errors_(with_errors), most_rows_(most_rows) {}
+SeriesHistory::SeriesHistory(bool with_errors, std::size_t bodies, std::size_t most_rows)
+    : names_(series_columns(with_errors)),
+      with_errors_(with_errors),
+      bodies_(bodies),
+      most_rows_(most_rows) {}
 
 void SeriesHistory::add_events(const Snapshot& snapshot) {
   const auto event = [&](std::string kind, std::string text) {
-    if (kept_.events.size() >= most_events) kept_.events.erase(kept_.events.begin());
+    if (kept_.events.size() >= most_events) kept_.events.pop_front();
     kept_.events.push_back({kept_.frames, snapshot.tick.t, std::move(kind), std::move(text)});
   };
   const TrackingState state = snapshot.status.state;
@@ -74,8 +77,7 @@ void SeriesHistory::add_events(const Snapshot& snapshot) {
 
 void SeriesHistory::begin(const Snapshot& first) {
   for (const auto& [stage, ms] : first.timing_ms) kept_.stages.emplace_back(stage);
-  kept_.bodies = first.bodies.size();
-  width_ = 2 + names_.size() + kept_.stages.size() + 6 * kept_.bodies;
+  width_ = 2 + names_.size() + kept_.stages.size() + 6 * bodies_;
   kept_.rows.reserve(most_rows_ * width_);
 }
 
@@ -88,7 +90,7 @@ void SeriesHistory::add_row(const Snapshot& snapshot) {
   for (std::size_t i = 0; i < std::min(kept_.stages.size(), snapshot.timing_ms.size()); ++i)
     to[static_cast<std::ptrdiff_t>(i)] = snapshot.timing_ms[i].second;
   to += static_cast<std::ptrdiff_t>(kept_.stages.size());
-  for (std::size_t i = 0; i < std::min(kept_.bodies, snapshot.bodies.size()); ++i, to += 6) {
+  for (std::size_t i = 0; i < std::min(bodies_, snapshot.bodies.size()); ++i, to += 6) {
     const SnapshotBody& body = snapshot.bodies[i];
     if (has_pose(body)) std::copy_n(body.estimate.position.data(), 3, to);
     if (body.truth) std::copy_n(body.truth->position.data(), 3, to + 3);
@@ -127,7 +129,7 @@ std::string SeriesHistory::json() const {
   Json& timing = json["timing_ms"] = Json::object();
   for (const std::string& stage : kept.stages) timing[stage] = column_of(rows, at++);
   Json& paths = json["paths"] = Json::array();
-  for (std::size_t i = 0; i < kept.bodies; ++i, at += 6)
+  for (std::size_t i = 0; i < bodies_; ++i, at += 6)
     paths.push_back({{"estimate", path_of(rows, at)}, {"truth", path_of(rows, at + 3)}});
   Json& events = json["events"] = Json::array();
   for (const Event& event : kept.events)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -16,7 +17,7 @@ namespace incognita {
 /// several threads.
 class SeriesHistory {
  public:
-  explicit SeriesHistory(bool with_errors, std::size_t most_rows = 20000);
+  SeriesHistory(bool with_errors, std::size_t bodies, std::size_t most_rows = 20000);
 
   void add(const Snapshot& snapshot);
   /// {"t": [...], "state": [...], "columns": {...}, "timing_ms": {...}, "paths": [...], "events": [...], "frames": n}
@@ -35,8 +36,7 @@ class SeriesHistory {
     /// (m, world); NaN if unknown. One block of memory: many small rows would fragment the heap of a long run.
     std::vector<double> rows;
     std::vector<std::string> stages;
-    std::size_t bodies = 0;
-    std::vector<Event> events;
+    std::deque<Event> events;
   };
   void begin(const Snapshot& first);
   void add_events(const Snapshot& snapshot);
@@ -46,7 +46,7 @@ class SeriesHistory {
   mutable std::mutex mutex_;
   const std::vector<std::string> names_;
   const bool with_errors_;
-  const std::size_t most_rows_;
+  const std::size_t bodies_, most_rows_;
   Kept kept_;
   std::size_t width_ = 0;  ///< of a row
   std::int64_t stride_ = 1;

@@ -23,7 +23,7 @@ Snapshot snapshot(int frame) {
 }
 
 TEST(SeriesHistory, HoldsEveryFrame) {
-  SeriesHistory history(false);
+  SeriesHistory history(false, 1);
   for (int k = 0; k < 5; ++k) history.add(snapshot(k));
   const Json json = Json::parse(history.json());
   EXPECT_EQ(json["frames"], 5);
@@ -37,7 +37,7 @@ TEST(SeriesHistory, HoldsEveryFrame) {
 }
 
 TEST(SeriesHistory, IsThinnedEvenly) {
-  SeriesHistory history(false, 8);
+  SeriesHistory history(false, 1, 8);
   for (int k = 0; k < 100; ++k) history.add(snapshot(k));
   const Json matched = Json::parse(history.json())["columns"]["matched"];
   ASSERT_LT(matched.size(), 8u);
@@ -46,8 +46,19 @@ TEST(SeriesHistory, IsThinnedEvenly) {
   for (std::size_t i = 0; i < matched.size(); ++i) EXPECT_EQ(matched[i], static_cast<int>(i) * stride);
 }
 
+TEST(SeriesHistory, HasThePathOfABodyThatIsNotThereAtFirst) {
+  SeriesHistory history(false, 1);
+  Snapshot first = snapshot(0);
+  first.bodies.clear();
+  history.add(first);
+  history.add(snapshot(1));
+  const Json path = Json::parse(history.json())["paths"][0]["estimate"];
+  EXPECT_TRUE(path[0].is_null());
+  EXPECT_EQ(path[1], Json({0.5, 0, 1}));
+}
+
 TEST(SeriesHistory, ListsEvents) {
-  SeriesHistory history(false);
+  SeriesHistory history(false, 1);
   Snapshot s = snapshot(0);
   history.add(s);
   s = snapshot(1);

@@ -65,7 +65,7 @@ void LivePage::begin(const RunInfo& info, std::int64_t frames) {
   {
     const std::lock_guard lock(mutex_);
     current_->info_json = live_info_json(current_->loaded, info, frames);
-    current_->history = std::make_shared<SeriesHistory>(with_errors);
+    current_->history = std::make_shared<SeriesHistory>(with_errors, static_cast<std::size_t>(info.bodies));
     index = static_cast<int>(runs_.size());
   }
   channel_->begin(index, current_->loaded.name, with_errors);

@@ -18,3 +18,7 @@ foreach(file ${browser_tests})
   set_tests_properties(web.browser.${name} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300 LABELS "web;browser"
                        RESOURCE_LOCK browser PROCESSORS 2)
 endforeach()
+
+# The types in the comments of the page; downloads TypeScript
+add_test(NAME web.types COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/web/types/check ${CMAKE_CURRENT_BINARY_DIR}/web_types)
+set_tests_properties(web.types PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300 LABELS web)

@@ -49,6 +49,9 @@ std::string refusal_of(const AccessRequest& request, const AccessRules& rules) {
   if (!request.origin.empty() && !own &&
       std::find(allowed.begin(), allowed.end(), request.origin) == allowed.end())
     return "a page of " + quoted(request.origin) + " may not connect; allow it with --allow-origin";
+  // A browser sends no Origin with what another page embeds, such as <img src="http://localhost:8321/api/...">
+  if (request.origin.empty() && (request.site == "cross-site" || request.site == "same-site"))
+    return "a page of another site asked for it";
   if (!rules.token.empty() && !same_secret(request.token, rules.token))
     return request.token.empty() ? "the token of the printed address is missing" : "the token is wrong";
   return "";

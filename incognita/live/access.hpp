@@ -16,6 +16,7 @@ struct AccessRequest {
   std::string_view host;    ///< header Host, e.g. "localhost:8321"
   std::string_view origin;  ///< header Origin; empty where there is none: not a browser
   std::string_view token;   ///< parameter `token` of the address
+  std::string_view site;    ///< header Sec-Fetch-Site, e.g. "same-origin"; empty where there is none
 };
 
 /// Whether an address such as "127.0.0.1" or "::1" reaches this machine only.

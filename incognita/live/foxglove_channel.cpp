@@ -15,7 +15,7 @@ std::size_t index_of(const Topic& topic) { return static_cast<std::size_t>(&topi
 }  // namespace
 
 void FoxgloveChannel::begin(const RunInfo& info) {
-  mailbox_.take();
+  mailbox_ = std::make_shared<Waiting>(most_waiting);
   server_->post([this, info] {
     topics_.emplace(info);
     last_.reset();
@@ -27,11 +27,11 @@ void FoxgloveChannel::begin(const RunInfo& info) {
 }
 
 void FoxgloveChannel::publish(std::shared_ptr<const Snapshot> snapshot) {
-  if (mailbox_.put(std::move(snapshot))) server_->post([this] { deliver(); });
+  if (mailbox_->put(std::move(snapshot))) server_->post([this, mailbox = mailbox_] { deliver(*mailbox); });
 }
 
-void FoxgloveChannel::deliver() {
-  auto taken = mailbox_.take();
+void FoxgloveChannel::deliver(Waiting& mailbox) {
+  auto taken = mailbox.take();
   for (auto& [id, client] : clients_) client.viewer->add_dropped(taken.dropped);
   for (auto& snapshot : taken.values) {
     last_ = std::move(snapshot);

@@ -28,18 +28,21 @@ class FoxgloveChannel final : public ViewerProtocol, private TopicSink {
   void received(std::uint64_t id, std::string_view message, bool binary) override;
 
  private:
+  using Waiting = Mailbox<std::shared_ptr<const Snapshot>>;
   struct Client {
     Viewer* viewer = nullptr;
     std::map<std::uint32_t, std::size_t> topics = {};  ///< by subscription, an index of all_topics()
   };
-  void deliver();
+  void deliver(Waiting& mailbox);
   void send(Viewer& viewer, std::string json);
   void change_subscriptions(Client& client, std::string_view message);
   bool wants(const Topic& topic) const override;
   void put(const Topic& topic, std::uint64_t time_ns, std::string message) override;
 
   Server* server_ = nullptr;
-  Mailbox<std::shared_ptr<const Snapshot>> mailbox_{16};
+  static constexpr std::size_t most_waiting = 16;
+  /// One per run: what waits of a run is delivered before the next begins.
+  std::shared_ptr<Waiting> mailbox_ = std::make_shared<Waiting>(most_waiting);
 
   // Of the server's thread:
   std::map<std::uint64_t, Client> clients_;

@@ -5,7 +5,16 @@
 
 namespace incognita {
 
+void Outbox::remove_outdated(std::string_view word) {
+  const auto outdated = std::find_if(waiting_.begin(), waiting_.end(),
+                                     [&](const LiveMessage& waiting) { return waiting.replaces == word; });
+  if (outdated == waiting_.end()) return;
+  bytes_ -= outdated->size();
+  waiting_.erase(outdated);
+}
+
 bool Outbox::push(LiveMessage message) {
+  if (!message.replaces.empty()) remove_outdated(message.replaces);
   bytes_ += message.size();
   waiting_.push_back(std::move(message));
   while (exceeded()) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace incognita {
 
@@ -15,8 +16,9 @@ struct LiveMessage {
   std::shared_ptr<const std::string> body;
   std::string prefix = {};  ///< of this viewer, written before the body
   bool binary = false;
-  bool droppable = false;     ///< a later message replaces it
-  bool counts_drops = false;  ///< the number of dropped messages is written between prefix and body
+  bool droppable = false;          ///< a later message replaces it
+  bool counts_drops = false;       ///< the number of dropped messages is written between prefix and body
+  std::string_view replaces = {};  ///< a waiting message with the same word here is outdated; a constant
 
   std::size_t size() const { return prefix.size() + (body ? body->size() : 0); }
 };
@@ -30,7 +32,7 @@ class Outbox {
   explicit Outbox(Limits limits) : limits_(limits) {}
   Outbox() : Outbox(Limits{}) {}
 
-  /// Drops the oldest droppable messages as long as a limit is exceeded. False if messages that must not be dropped
+  /// Replaces what the message makes outdated. Drops the oldest droppable messages as long as a limit is exceeded. False if messages that must not be dropped
   /// exceed a limit alone: the viewer is to be disconnected. One message alone always fits.
   bool push(LiveMessage message);
   std::optional<LiveMessage> pop();
@@ -42,6 +44,7 @@ class Outbox {
   void add_dropped(std::uint64_t count) { dropped_ += count; }
 
  private:
+  void remove_outdated(std::string_view word);
   bool exceeded() const {
     return waiting_.size() > 1 && (waiting_.size() > limits_.messages || bytes_ > limits_.bytes);
   }

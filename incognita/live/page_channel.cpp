@@ -18,6 +18,13 @@ std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 
 LiveMessage message(const Json& json) { return {std::make_shared<const std::string>(text_of(json))}; }
 
+/// The latest replaces those that wait.
+LiveMessage refusal(const std::string& of, const std::string& why) {
+  LiveMessage refused = message({{"type", "refused"}, {"of", of}, {"message", why}});
+  refused.replaces = "refused";
+  return refused;
+}
+
 Json row_of(const Snapshot& snapshot, bool with_errors) {
   const auto names = series_columns(with_errors);
   const auto values = series_row(snapshot, with_errors);
@@ -59,7 +66,7 @@ PageChannel::PageChannel(std::function<void(const ViewerCommand&)> command) : co
 
 void PageChannel::begin(int index, const std::string& name, bool with_errors) {
   next_seq_ = 0;
-  mailbox_.take();
+  mailbox_ = std::make_shared<Mailbox<Published>>(most_waiting);
   server_->post([this, index, name, with_errors] {
     with_errors_ = with_errors;
     last_published_.reset(), observability_.reset();
@@ -70,7 +77,8 @@ void PageChannel::begin(int index, const std::string& name, bool with_errors) {
 }
 
 void PageChannel::publish(std::shared_ptr<const Snapshot> snapshot) {
-  if (mailbox_.put({next_seq_++, std::move(snapshot)})) server_->post([this] { deliver(); });
+  if (mailbox_->put({next_seq_++, std::move(snapshot)}))
+    server_->post([this, mailbox = mailbox_] { deliver(*mailbox); });
 }
 
 LiveMessage PageChannel::message_of(const Published& published) const {
@@ -90,8 +98,8 @@ bool PageChannel::has_image(const Published& published) {
 }
 
 /// In the server's thread. Without viewers only the last snapshot is written, when a viewer comes.
-void PageChannel::deliver() {
-  auto taken = mailbox_.take();
+void PageChannel::deliver(Mailbox<Published>& mailbox) {
+  auto taken = mailbox.take();
   for (auto& [id, viewer] : viewers_) viewer->add_dropped(taken.dropped);
   for (const Published& published : taken.values) {
     last_published_ = published;
@@ -107,7 +115,11 @@ void PageChannel::send_to_all(const LiveMessage& message) {
     if (viewers_.contains(id)) viewer->send(message);
 }
 
-void PageChannel::send_state() { send_to_all(message(json_of(state_, viewers_.size()))); }
+void PageChannel::send_state() {
+  LiveMessage state = message(json_of(state_, viewers_.size()));
+  state.replaces = "state";
+  send_to_all(state);
+}
 
 void PageChannel::set_state(const LiveState& state) {
   server_->post([this, state] {
@@ -120,13 +132,12 @@ void PageChannel::set_state(const LiveState& state) {
 void PageChannel::put_observability(const std::string& json) {
   observability_ =
       LiveMessage{std::make_shared<const std::string>("{\"type\":\"observability\"," + json + "}")};
+  observability_->replaces = "observability";
   send_to_all(*observability_);
 }
 
 void PageChannel::refuse(const std::string& of, const std::string& why) {
-  server_->post([this, of, why] {
-    send_to_all(message({{"type", "refused"}, {"of", of}, {"message", why}}));
-  });
+  server_->post([this, of, why] { send_to_all(refusal(of, why)); });
 }
 
 void PageChannel::joined(std::uint64_t id, Viewer& viewer) {
@@ -176,8 +187,7 @@ void PageChannel::received(std::uint64_t id, std::string_view text, bool binary)
   } catch (const InputError& error) {
     const auto viewer = viewers_.find(id);
     if (viewer == viewers_.end()) return;
-    viewer->second->send(
-        message({{"type", "refused"}, {"of", type_of_message(text)}, {"message", error.what()}}));
+    viewer->second->send(refusal(type_of_message(text), error.what()));
   }
 }
 

@@ -62,7 +62,7 @@ class PageChannel final : public ViewerProtocol {
   };
   void stop_body_of(std::uint64_t id);
   void note_driver(std::uint64_t id, const ViewerCommand& command);
-  void deliver();
+  void deliver(Mailbox<Published>& mailbox);
   void send_to_all(const LiveMessage& message);
   void send_state();
   static bool has_image(const Published& published);
@@ -72,7 +72,9 @@ class PageChannel final : public ViewerProtocol {
   Server* server_ = nullptr;
   std::map<std::uint64_t, std::size_t> driven_;  ///< the body that a viewer keeps moving
   std::atomic<int> viewer_count_{0};
-  Mailbox<Published> mailbox_{16};
+  static constexpr std::size_t most_waiting = 16;
+  /// One per run: what waits of a run is delivered before the next begins.
+  std::shared_ptr<Mailbox<Published>> mailbox_ = std::make_shared<Mailbox<Published>>(most_waiting);
   std::uint64_t next_seq_ = 0;  ///< of the thread of the loop
 
   // Of the server's thread:

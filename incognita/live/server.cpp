@@ -1,5 +1,7 @@
 #include "incognita/live/server.hpp"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/asio/io_context.hpp>
@@ -44,6 +46,12 @@ std::string origin_of(const tcp::socket& socket) {
   Error error;
   const auto end = socket.remote_endpoint(error);
   return error ? "a closed connection" : end.address().to_string();
+}
+
+/// A browser or gnuplot that the program starts must not keep a port open.
+template <class Socket>
+void close_in_children(Socket& socket) {
+  ::fcntl(socket.native_handle(), F_SETFD, FD_CLOEXEC);
 }
 
 /// What all connections share; used in the server's thread only.
@@ -134,8 +142,14 @@ class WebSocketSession final : public Viewer, public std::enable_shared_from_thi
     const auto bytes = incoming_.cdata();
     const std::string message(static_cast<const char*>(bytes.data()), bytes.size());
     incoming_.consume(incoming_.size());
-    protocol_->received(id_, message, socket_.got_binary());
-    if (!closing_) read_next();
+    try {
+      protocol_->received(id_, message, socket_.got_binary());
+    } catch (const std::exception& failure) {
+      shared_.log.add(std::string("a viewer was disconnected: its message failed: ") + failure.what());
+      disconnect();
+    }
+    if (!closing_) return read_next();
+    leave({});
   }
 
   void write_next() {
@@ -208,7 +222,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
       return shared_.log.add("a connection of " + from_ + " was closed: no whole request in " +
                              std::to_string(request_time.count()) + " s");
     }
-    if (error == http::error::header_limit || error == http::error::body_limit)
+    if (error == http::error::header_limit || error == http::error::body_limit ||
+        error == http::error::buffer_overflow)
       return refuse(413, "the request is too large");
     if (error) return refuse(400, "the request is not valid HTTP: " + words(error));
     asked_ = true;
@@ -219,15 +234,25 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     const auto target = parse_target(view_of(request.target()));
     if (!target) return refuse(400, "the address of the request is not valid");
     const HttpRequest asked{target->path, target->query};
-    const std::string why = refusal_of({view_of(request[http::field::host]),
-                                        view_of(request[http::field::origin]), asked.parameter("token")},
-                                       shared_.settings.access);
+    const std::string why =
+        refusal_of({view_of(request[http::field::host]), view_of(request[http::field::origin]),
+                    asked.parameter("token"), view_of(request["Sec-Fetch-Site"])},
+                   shared_.settings.access);
     if (websocket::is_upgrade(request)) return upgrade(request, asked, why);
     if (request.method() != http::verb::get && request.method() != http::verb::head)
       return refuse(405, "only GET is possible");
-    HttpAnswer answered = shared_.handlers.answer(asked);
-    if (!why.empty() && !answered.is_public) return refuse(403, why);
-    respond(answered, request.method() == http::verb::head, request.keep_alive());
+    const bool head = request.method() == http::verb::head, keep_alive = request.keep_alive();
+    try {
+      if (const auto page = public_answer(asked)) return respond(*page, head, keep_alive);
+      if (!why.empty()) return refuse(403, why);
+      respond(shared_.handlers.answer(asked), head, keep_alive);
+    } catch (const std::exception& failure) {
+      refuse(500, std::string("the answer failed: ") + failure.what());
+    }
+  }
+
+  std::optional<HttpAnswer> public_answer(const HttpRequest& asked) const {
+    return shared_.handlers.public_answer ? shared_.handlers.public_answer(asked) : std::nullopt;
   }
 
   void upgrade(const http::request<http::string_body>& request, const HttpRequest& asked,
@@ -261,6 +286,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     response_->set(http::field::content_type, answer.content_type);
     response_->set(http::field::cache_control, "no-cache");
     response_->set("X-Content-Type-Options", "nosniff");
+    response_->set("Cross-Origin-Resource-Policy", "same-origin");
     response_->set("Content-Security-Policy", security_policy);
     response_->set("Referrer-Policy", "no-referrer");
     if (!answer.location.empty()) response_->set(http::field::location, answer.location);
@@ -286,7 +312,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
   Place place_;
   Shared& shared_;
   Sessions& sessions_;
-  beast::flat_buffer buffer_;
+  beast::flat_buffer buffer_{2 * most_header_bytes};  // bounds what the limits of the parser do not: chunks
   std::optional<Parser> parser_;
   std::optional<Response> response_;
   bool asked_ = false;
@@ -307,6 +333,7 @@ struct Server::Implementation {
     if (!error) acceptor.set_option(net::socket_base::reuse_address(true), error);
     if (!error) acceptor.bind(end, error);
     if (!error) acceptor.listen(net::socket_base::max_listen_connections, error);
+    if (!error) close_in_children(acceptor);
     if (error)
       throw InputError("cannot listen at " + shared.settings.address + ", port " +
                        std::to_string(shared.settings.port) + ": " + words(error) +
@@ -318,6 +345,7 @@ struct Server::Implementation {
     acceptor.async_accept([this](Error error, tcp::socket socket) {
       if (!acceptor.is_open()) return;
       if (error) return retry();
+      close_in_children(socket);
       if (shared.connections >= shared.settings.max_connections)
         shared.log.add("a connection of " + origin_of(socket) + " was refused: there are " +
                        std::to_string(shared.connections) + ", the most that may be");
@@ -325,6 +353,18 @@ struct Server::Implementation {
         std::make_shared<HttpSession>(std::move(socket), shared, sessions)->run();
       accept();
     });
+  }
+
+  /// A task that fails, such as one that runs out of memory, ends neither the server nor the run.
+  void run() {
+    for (;;) {
+      try {
+        context.run();
+        return;
+      } catch (const std::exception& failure) {
+        shared.log.add(std::string("the server failed, and goes on: ") + failure.what());
+      }
+    }
   }
 
   /// After a failure such as too many open files.
@@ -362,7 +402,7 @@ Server::Server(ServerSettings settings, ServerHandlers handlers, const std::func
     : implementation_(std::make_unique<Implementation>(std::move(settings), std::move(handlers))) {
   implementation_->listen();
   if (ready) ready(*this);
-  implementation_->thread = std::thread([this] { implementation_->context.run(); });
+  implementation_->thread = std::thread([this] { implementation_->run(); });
 }
 
 Server::~Server() {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,7 +38,6 @@ struct HttpAnswer {
   int status = 200;
   std::string content_type = "application/json";
   std::shared_ptr<const std::string> body;
-  bool is_public = false;     ///< sent to anyone: holds no data of a run
   std::string location = {};  ///< of status 302
 };
 
@@ -62,7 +62,9 @@ class ViewerProtocol {
 };
 
 struct ServerHandlers {
-  /// Answers GET requests; called in the server's thread.
+  /// Answers GET requests of anyone, without data of a run: the page itself. None: `answer` is asked.
+  std::function<std::optional<HttpAnswer>(const HttpRequest&)> public_answer;
+  /// Answers GET requests of those who have access. Both are called in the server's thread; exceptions become status 500.
   std::function<HttpAnswer(const HttpRequest&)> answer;
   /// By subprotocol, in the order of preference.
   std::vector<std::pair<std::string, std::shared_ptr<ViewerProtocol>>> protocols;

@@ -38,6 +38,16 @@ TEST(Access, RefusesPagesOfOtherOrigins) {
             "");
 }
 
+TEST(Access, RefusesWhatAnotherSiteEmbeds) {
+  EXPECT_NE(refusal_of({"localhost:8321", "", "", "cross-site"}, {}), "");
+  EXPECT_NE(refusal_of({"localhost:8321", "", "", "same-site"}, {}), "");
+  EXPECT_EQ(refusal_of({"localhost:8321", "", "", "same-origin"}, {}), "");
+  EXPECT_EQ(refusal_of({"localhost:8321", "", "", "none"}, {}), "");
+  EXPECT_EQ(refusal_of({"localhost:8321", "https://app.foxglove.dev", "", "cross-site"},
+                       {"", {"https://app.foxglove.dev"}}),
+            "");
+}
+
 TEST(Access, ATokenMustBeRight) {
   const AccessRules rules{"0123456789abcdef", {}};
   EXPECT_EQ(refusal("robot.local:8321", "", "0123456789abcdef", rules), "");
@@ -70,6 +80,19 @@ TEST(RefusalLog, PrintsAFloodOnce) {
   log.add("refused", start + std::chrono::seconds(2));
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[1], "refused (1000 times)");
+}
+
+TEST(RefusalLog, PrintsAFewLinesPerSecondWhateverTheySay) {
+  std::vector<std::string> lines;
+  RefusalLog log([&](const std::string& line) { lines.push_back(line); });
+  const auto start = RefusalLog::Clock::now();
+  for (int i = 0; i < 1000; ++i)
+    log.add("host " + std::to_string(i) + " \x1b[31m\x9b", start + std::chrono::microseconds(i));
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[0], "host 0 ?[31m?");
+  log.add("another", start + std::chrono::seconds(2));
+  ASSERT_EQ(lines.size(), 7u);
+  EXPECT_EQ(lines[5], "995 further refusals of other kinds");
 }
 
 }  // namespace

@@ -60,6 +60,19 @@ TEST(Outbox, RefusesWhenOnlyImportantMessagesWait) {
   EXPECT_FALSE(outbox.push(message("c", false)));
 }
 
+TEST(Outbox, ANewStateReplacesTheOneThatWaits) {
+  Outbox outbox({2, 1000});
+  for (int i = 0; i < 100; ++i) {
+    LiveMessage state = message("state " + std::to_string(i), false);
+    state.replaces = "state";
+    ASSERT_TRUE(outbox.push(state));
+  }
+  EXPECT_EQ(outbox.messages(), 1u);
+  EXPECT_EQ(outbox.bytes(), std::string("state 99").size());
+  EXPECT_EQ(outbox.dropped(), 0u);
+  EXPECT_EQ(*outbox.pop()->body, "state 99");
+}
+
 TEST(Mailbox, DropsTheOldestAndNotifiesOnce) {
   Mailbox<int> mailbox(2);
   EXPECT_TRUE(mailbox.put(1));

@@ -28,11 +28,16 @@ struct Served {
       commands.push_back(command);
     });
     ServerHandlers handlers;
-    handlers.answer = [](const HttpRequest& request) {
+    handlers.public_answer = [](const HttpRequest& request) -> std::optional<HttpAnswer> {
+      if (request.path != "/") return std::nullopt;
+      return HttpAnswer{200, "text/html", std::make_shared<const std::string>("page")};
+    };
+    handlers.answer = [this](const HttpRequest& request) {
+      ++answers;
       HttpAnswer answer;
-      answer.body = std::make_shared<const std::string>(request.path == "/" ? "page" : "secret");
-      answer.is_public = request.path == "/";
-      if (request.path != "/" && request.path != "/api/secret") answer.status = 404;
+      if (request.path == "/api/failure") throw std::runtime_error("it failed");
+      answer.body = std::make_shared<const std::string>("secret");
+      if (request.path != "/api/secret") answer.status = 404;
       return answer;
     };
     handlers.protocols = {{PageChannel::subprotocol, channel}};
@@ -71,6 +76,7 @@ struct Served {
   std::shared_ptr<PageChannel> channel;
   std::unique_ptr<Server> server;
   std::uint16_t port = 0;
+  std::atomic<int> answers = 0;
 };
 
 Snapshot snapshot(int frame) {
@@ -97,6 +103,34 @@ TEST(Server, RefusesOtherMethodsAndLargeRequests) {
   EXPECT_EQ(get(served.port, "/", {}, "POST").status, 405);
   EXPECT_EQ(get(served.port, "/" + std::string(20000, 'x')).status, 413);
   EXPECT_EQ(get(served.port, "/%zz").status, 400);
+  EXPECT_TRUE(served.logs("too large"));
+}
+
+TEST(Server, DoesNothingForARequestThatIsRefused) {
+  Served served;
+  EXPECT_EQ(get(served.port, "/api/secret", {{"Sec-Fetch-Site", "cross-site"}}).status, 403);
+  EXPECT_EQ(get(served.port, "/", {{"Sec-Fetch-Site", "cross-site"}}).body, "page");
+  EXPECT_EQ(served.answers, 0);
+}
+
+TEST(Server, GoesOnAfterAFailure) {
+  Served served;
+  const auto failed = get(served.port, "/api/failure");
+  EXPECT_EQ(failed.status, 500);
+  EXPECT_TRUE(contains(failed.body, "it failed"));
+  served.server->post([] { throw std::runtime_error("a task failed"); });
+  EXPECT_EQ(get(served.port, "/").body, "page");
+  EXPECT_TRUE(served.logs("a task failed"));
+}
+
+TEST(Server, BoundsChunksAndTrailers) {
+  Served served;
+  const std::string head = "GET / HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\n";
+  for (const std::string& endless : {std::string("1;"), std::string("0\r\nA: ")}) {
+    RawConnection connection(served.port);
+    connection.send(head + endless + std::string(100000, 'a'));
+    EXPECT_TRUE(connection.is_closed_within(5));
+  }
   EXPECT_TRUE(served.logs("too large"));
 }
 

@@ -16,7 +16,6 @@ constexpr std::string_view files = "/files/";
 HttpAnswer redirected(const std::string& kind, const HttpRequest& request) {
   HttpAnswer answer;
   answer.status = 302;
-  answer.is_public = true;
   answer.location = "/laboratory/" + kind + ".html";
   if (const auto token = request.parameter("token"); !token.empty())
     if (token.find_first_not_of("0123456789abcdef") == std::string_view::npos)
@@ -34,14 +33,15 @@ LaboratoryPage::LaboratoryPage(const std::filesystem::path& folder, ServerSettin
     : laboratory_(folder) {
   check_page_is_complete();
   ServerHandlers handlers;
+  handlers.public_answer = [this](const HttpRequest& request) {
+    return request.path == "/" ? redirected(laboratory_.kind_name(), request) : page_file(request.path);
+  };
   handlers.answer = [this](const HttpRequest& request) { return answer(request); };
   handlers.log = [](const std::string& line) { print_message("view: {}\n", line); };
   server_ = std::make_unique<Server>(std::move(settings), std::move(handlers));
 }
 
 HttpAnswer LaboratoryPage::answer(const HttpRequest& request) const {
-  if (request.path == "/") return redirected(laboratory_.kind_name(), request);
-  if (auto file = page_file(request.path)) return *file;
   if (!request.path.starts_with(files)) return error_answer(404, "there is no such page");
   try {
     auto file = laboratory_.file(request.path.substr(files.size()));

@@ -38,6 +38,7 @@ LivePage::LivePage(ServerSettings settings, std::function<bool()> interrupted)
   channel_ = std::make_shared<PageChannel>([this](const ViewerCommand& asked) { command(asked); });
   control_.on_change = [this](const LiveState& state) { channel_->set_state(state); };
   ServerHandlers handlers;
+  handlers.public_answer = [](const HttpRequest& request) { return page_file(request.path); };
   handlers.answer = [this](const HttpRequest& request) { return answer(request); };
   handlers.protocols = {{PageChannel::subprotocol, channel_}};
   for (const char* name : foxglove::subprotocols) handlers.protocols.emplace_back(name, foxglove_);
@@ -129,7 +130,6 @@ void LivePage::command(const ViewerCommand& asked) {
 
 /// In the server's thread.
 HttpAnswer LivePage::answer(const HttpRequest& request) {
-  if (auto file = page_file(request.path)) return *file;
   const auto path = api_path(request.path);
   if (path.empty()) return error_answer(404, "there is no such page");
   if (path[0] == "scenarios") return json_answer(scenarios_json());
@@ -150,7 +150,7 @@ HttpAnswer LivePage::answer(const HttpRequest& request) {
         {"mode", "live"},
         {"version", INCOGNITA_VERSION},
         {"runs", runs},
-        {"control", true}}.dump());
+        {"control", true}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   }
   const auto index = path[0] == "runs" && path.size() > 2 ? index_of(path[1]) : std::nullopt;
   if (!index) return error_answer(404, "there is no such page");

@@ -32,7 +32,7 @@ Answers all_answers() {
   Answers answers;
   const auto add = [&](const EmbeddedFile& file, const std::string& folder) {
     answers["/" + folder + std::string(file.name)] = {200, content_type(file.name),
-                                                      std::make_shared<const std::string>(file.bytes), true};
+                                                      std::make_shared<const std::string>(file.bytes)};
   };
   for (const EmbeddedFile& file : embedded_page()) add(file, "");
   for (const EmbeddedFile& file : embedded_libraries()) add(file, "vendor/");

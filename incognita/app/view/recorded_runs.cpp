@@ -58,7 +58,7 @@ HttpAnswer RecordedRuns::answer(std::size_t index, const std::vector<std::string
     Entry& entry = runs_[index];
     if (!entry.run) entry.run = std::make_unique<RecordedRun>(entry.directory);
     return answer_of(*entry.run, what);
-  } catch (const InputError& error) {
+  } catch (const std::exception& error) {
     return error_answer(500, error.what());
   }
 }

@@ -24,13 +24,13 @@ ReplayPage::ReplayPage(const std::vector<std::filesystem::path>& runs, ServerSet
   check_page_is_complete();
   for (const std::filesystem::path& run : runs) runs_.add(run);
   ServerHandlers handlers;
+  handlers.public_answer = [](const HttpRequest& request) { return page_file(request.path); };
   handlers.answer = [this](const HttpRequest& request) { return answer(request); };
   handlers.log = [](const std::string& line) { print_message("view: {}\n", line); };
   server_ = std::make_unique<Server>(std::move(settings), std::move(handlers));
 }
 
 HttpAnswer ReplayPage::answer(const HttpRequest& request) {
-  if (auto file = page_file(request.path)) return *file;
   const auto path = api_path(request.path);
   if (path.size() == 1 && path[0] == "mode") return json_answer(mode_json(runs_.names()));
   const auto index = path.size() > 2 && path[0] == "runs" ? index_of(path[1]) : std::nullopt;

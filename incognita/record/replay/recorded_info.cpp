@@ -40,8 +40,10 @@ void put_earlier(const std::filesystem::path& directory, const McapReader& log, 
   info["bodies"] = scan.bodies;
   if (const auto& transforms = log.messages("/tf"); !transforms.empty()) {
     const Json first = parse_object(log.text(transforms.front()), log.path().string() + ": /tf");
-    const std::string frame = first.value("child_frame_id", "");
-    info["body"] = frame.find("camera") != std::string::npos ? "camera" : "vehicle";
+    const auto frame = first.find("child_frame_id");
+    const bool camera = frame != first.end() && frame->is_string() &&
+                        frame->get_ref<const std::string&>().find("camera") != std::string::npos;
+    info["body"] = camera ? "camera" : "vehicle";
   }
   const double duration_s = scan.frames.back().t - scan.frames.front().t;
   if (duration_s > 0) info["rate_hz"] = static_cast<double>(scan.frames.size() - 1) / duration_s;

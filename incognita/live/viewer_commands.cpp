@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double most_speed = 100;
+constexpr double least_speed = 0.1, most_speed = 100;
 constexpr std::size_t most_settings = 500;
 
 std::string text_of(const Json& json, const char* key) {
@@ -24,9 +24,10 @@ std::string text_of(const Json& json, const char* key) {
 
 SetSpeed speed_of(const Json& json) {
   const auto found = json.find("factor");
-  if (found == json.end() || !found->is_number() || !(*found >= 0) || !(*found <= most_speed))
-    throw InputError("speed: factor must be a number from 0 (as fast as possible) to 100");
-  return {found->get<double>()};
+  const double factor = found != json.end() && found->is_number() ? found->get<double>() : -1;
+  if (factor != 0 && !(factor >= least_speed && factor <= most_speed))
+    throw InputError("speed: factor must be a number from 0.1 to 100, or 0: as fast as possible");
+  return {factor};
 }
 
 StartRun start_of(const Json& json) {

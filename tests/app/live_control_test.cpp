@@ -174,6 +174,14 @@ TEST_F(LiveControls, InterventionsThatWaitAreBounded) {
   EXPECT_THROW(control_.command(Intervention{CoverLens{}}), InputError);
 }
 
+TEST_F(LiveControls, ChangesOfSettingsThatWaitAreFew) {
+  control_.begin();
+  for (int i = 0; i < 10; ++i) control_.command(Intervention{ChangeDecision{{"decision.strategy=random"}}});
+  EXPECT_THROW(control_.command(Intervention{ChangeDecision{{"decision.strategy=random"}}}), InputError);
+  EXPECT_EQ(control_.take_interventions().size(), 10u);
+  control_.command(Intervention{ChangeDecision{{"decision.strategy=random"}}});
+}
+
 TEST_F(LiveControls, TheStateSaysHowARunEnded) {
   LiveState state;
   control_.on_change = [&](const LiveState& changed) { state = changed; };

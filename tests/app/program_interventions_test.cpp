@@ -131,12 +131,55 @@ TEST(ProgramInterventions, TheScenarioIsThatOfTheRun) {
         << file;
 }
 
+TEST(ProgramInterventions, TheRunThatIsRepeatedIsNeverOverwritten) {
+  const Scratch scratch;
+  const Ended first =
+      disturbed(scratch, "room", row(3, R"({"type":"light","factor":0.8})"), {"--duration", "1"});
+  ASSERT_EQ(first.code, 0) << first.err;
+  std::filesystem::create_directory(scratch.folder() / "elsewhere");
+  std::filesystem::rename(scratch.folder() / "out", scratch.folder() / "elsewhere/out");
+  std::filesystem::create_directory(scratch.folder() / "out");
+  std::filesystem::rename(scratch.folder() / "elsewhere/out", scratch.folder() / "out/room");
+  const auto log = testing::contents(scratch.folder() / "out/room/interventions.jsonl");
+
+  const Ended again =
+      testing::incognita({"run", "--no-figures", "--replay-commands", "out/room"}, scratch.folder());
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(testing::contents(scratch.folder() / "out/room-again/interventions.jsonl"), log);
+  const Ended onto = testing::incognita(
+      {"run", "--no-figures", "--replay-commands", "out/room", "--out", "out/../out/room"}, scratch.folder());
+  EXPECT_EQ(onto.code, 2);
+  EXPECT_NE(onto.err.find("another folder"), std::string::npos) << onto.err;
+  EXPECT_EQ(testing::contents(scratch.folder() / "out/room/interventions.jsonl"), log);
+}
+
+TEST(ProgramInterventions, ALineThatWasCutOffIsLeftOut) {
+  const Scratch scratch;
+  const std::string whole = row(3, R"({"type":"light","factor":0.8})");
+  const Ended ended =
+      disturbed(scratch, "room", whole + whole.substr(0, whole.size() / 2), {"--duration", "1"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  std::istringstream log(testing::contents(scratch.folder() / "out/interventions.jsonl"));
+  int rows = 0;
+  for (std::string line; std::getline(log, line);) ++rows;
+  EXPECT_EQ(rows, 1);
+}
+
+TEST(ProgramInterventions, CommandsAfterTheEndAreNamed) {
+  const Scratch scratch;
+  const Ended ended =
+      disturbed(scratch, "room", row(9999, R"({"type":"light","factor":0.8})"), {"--duration", "1"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.err.find("before the frames of the last 1 commands"), std::string::npos) << ended.err;
+}
+
 TEST(ProgramInterventions, AreRefusedWithFileAndLine) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"nonsense\n", "interventions.jsonl:1"},
       {row(3, R"({"type":"light","factor":1})") + row(2, R"({"type":"light","factor":1})"),
        "interventions.jsonl:2"},
       {row(3, R"({"type":"light","factor":99})"), "factor"},
+      {row(-1, R"({"type":"light","factor":1})"), "negative"},
       {"{\"frame\":1}\n", "intervention"}};
   for (const auto& [rows, message] : cases) {
     const Scratch scratch;

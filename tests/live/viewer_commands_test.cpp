@@ -37,7 +37,9 @@ TEST(ViewerCommands, NameWhatIsWrong) {
   EXPECT_NE(refusal("[1]").find("JSON object"), std::string::npos);
   EXPECT_NE(refusal(R"({"type":7})").find("\"type\""), std::string::npos);
   EXPECT_NE(refusal(R"({"type":"dance"})").find("dance"), std::string::npos);
-  EXPECT_NE(refusal(R"({"type":"speed","factor":-1})").find("0"), std::string::npos);
+  for (const char* factor : {"-1", "1e-300", "0.09", "101", "\"1\""})
+    EXPECT_NE(refusal(std::string(R"({"type":"speed","factor":)") + factor + "}").find("0.1 to 100"),
+              std::string::npos);
   EXPECT_NE(refusal(R"({"type":"speed","factor":"fast"})").find("factor"), std::string::npos);
   EXPECT_NE(refusal(R"({"type":"start"})").find("scenario"), std::string::npos);
   EXPECT_NE(refusal(R"({"type":"start","scenario":"room","set":[1]})").find("set"), std::string::npos);

@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <charconv>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 
 #include "incognita/messages/errors.hpp"
@@ -49,6 +51,8 @@ void open_in_browser(const std::string& address) {
   const pid_t child = fork();
   if (child == 0) {
     if (fork() == 0) {  // an orphan: nobody has to wait for the browser
+      setsid();         // Ctrl-C ends this program, not the browser
+      std::signal(SIGPIPE, SIG_DFL);
       std::freopen("/dev/null", "w", stdout);
       std::freopen("/dev/null", "w", stderr);
       execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));

@@ -101,6 +101,8 @@ class LoggedInterventions final : public InterventionSource {
     return load(options_, settings);
   }
 
+  std::size_t left() const { return log_.size() - next_; }
+
  private:
   std::vector<LoggedIntervention> log_;
   Options options_;
@@ -165,12 +167,29 @@ RunOutcome run_once(const Options& options, const LoadedScenario& loaded, const 
     return sink;
   };
   const RunOutcome outcome = run_scenario(loaded, open, callbacks);
+  if (logged && logged->left() > 0)
+    print_message("--replay-commands: the run ended before the frames of the last {} commands\n",
+                  logged->left());
   if (outcome.status != RunStatus::done)
     print_message("{}{}{}: see {}\n", name(outcome.status), outcome.reason.empty() ? "" : ", ",
                   outcome.reason, out);
   std::fputs(in_words(outcome.report, wall_s, out).c_str(), stdout);
   std::fflush(stdout);
   return outcome;
+}
+
+bool same_folder(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code missing;
+  return std::filesystem::equivalent(a, b, missing);
+}
+
+/// Never that of the run whose commands are repeated: its log cannot be had again.
+std::string output_folder(const Options& options, const LoadedScenario& loaded) {
+  const std::string out = options.out.value_or("out/" + loaded.name);
+  if (!options.replay_commands || !same_folder(out, *options.replay_commands)) return out;
+  if (!options.out) return out + "-again";
+  throw InputError(
+      fmt::format("--out: {} is the run whose commands are repeated; choose another folder", out));
 }
 
 int exit_code(const RunOutcome& outcome) { return outcome.status == RunStatus::done ? 0 : 1; }
@@ -183,14 +202,15 @@ std::string next_folder(const std::string& out, int run) {
 /// Runs until the program is interrupted; each run after the first is started from the page.
 int run_with_page(Options options) {
   handle_signals();
-  LivePage page(server_settings(options.page), [] { return interrupted != 0; });
-  print_message("the page is at {}\n", page.address());
-  open_in_browser(page.address());
   LoadedScenario loaded = load(options);
   const std::string out = options.out.value_or("out/" + loaded.name);
+  LivePage page(server_settings(options.page), options.scenario, [] { return interrupted != 0; });
+  print_message("the page is at {}\n", page.address());
+  open_in_browser(page.address());
   int code = 0;
   for (int run = 1;; ++run) {
     try {
+      if (run > 1) loaded = load(options);
       const std::string folder = next_folder(out, run);
       page.prepare(
           loaded, [options](const std::vector<std::string>& settings) { return load(options, settings); },
@@ -209,7 +229,6 @@ int run_with_page(Options options) {
     options.scenario = start->scenario;
     options.sets = start->settings;
     options.seed.reset(), options.duration_s.reset();
-    loaded = load(options);
   }
 }
 
@@ -221,7 +240,7 @@ int run(Options options) {
     return run_with_page(options);
   }
   const LoadedScenario loaded = load_or_repeat(options);
-  return exit_code(run_once(options, loaded, options.out.value_or("out/" + loaded.name), nullptr));
+  return exit_code(run_once(options, loaded, output_folder(options, loaded), nullptr));
 }
 
 }  // namespace
@@ -246,8 +265,9 @@ CLI::App* add_run(CLI::App& app, std::function<int()>& job) {
                     "Serve the page: watch and control the run in a browser; =PORT, else any free one");
   add_access_options(*command, options->page);
   command
-      ->add_option("--replay-commands", options->replay_commands,
-                   "Repeat what was done from the page in an earlier run; the scenario is that run's")
+      ->add_option(
+          "--replay-commands", options->replay_commands,
+          "Repeat what was done from the page in an earlier run; the scenario is that run's unless one is given")
       ->type_name("RUN");
   command->footer(
       "Example:\n  incognita run room --seed 7 --duration 20 --out out/first\n"

@@ -25,7 +25,9 @@ volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
 
 void serve_until_interrupted(const std::string& address) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, interrupt);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
+  std::signal(SIGPIPE, SIG_IGN);
   print_message("the page is at {} until Ctrl-C\n", address);
   open_in_browser(address);
   while (!interrupted) std::this_thread::sleep_for(std::chrono::milliseconds(50));

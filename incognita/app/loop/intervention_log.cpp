@@ -1,5 +1,6 @@
 #include "incognita/app/loop/intervention_log.hpp"
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
@@ -21,8 +22,10 @@ std::vector<LoggedIntervention> read_intervention_log(const std::filesystem::pat
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
+    if (lines.eof() && !nlohmann::json::accept(line)) break;  // cut off when the program was killed
     try {
       log.push_back(from_log_row(line));
+      if (log.back().frame < 0) throw InputError("the frame must not be negative");
       if (log.size() > 1 && log.back().frame < log[log.size() - 2].frame)
         throw InputError("the frames must not decrease");
     } catch (const InputError& error) {

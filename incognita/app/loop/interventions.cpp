@@ -60,6 +60,8 @@ void Interventions::change(const ChangeDecision& change) {
     if (!setting.starts_with(changeable))
       throw std::invalid_argument(setting +
                                   ": only settings of `decision` can change during a run; start another");
+    const std::string key = setting.substr(0, setting.find('=') + 1);
+    std::erase_if(settings, [&](const std::string& earlier) { return earlier.starts_with(key); });
     settings.push_back(setting);
   }
   const LoadedScenario loaded = source_.reloaded(settings);

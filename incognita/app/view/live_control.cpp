@@ -1,5 +1,6 @@
 #include "incognita/app/view/live_control.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "incognita/messages/errors.hpp"
@@ -10,6 +11,7 @@ namespace {
 constexpr std::chrono::milliseconds nap{50};
 constexpr double late_s = 0.25;  // a loop that is later than this does not hurry to catch up
 constexpr std::size_t most_interventions = 1000;
+constexpr std::ptrdiff_t most_changes = 10;  // of settings: each reads the scenario again
 
 }  // namespace
 
@@ -37,31 +39,34 @@ struct LiveControl::Change {
     if (!on.state_.running) throw InputError("no run is going on; start one first");
     if (on.interventions_.size() >= most_interventions)
       throw InputError("too many interventions wait for the next frame; resume the run");
+    const auto is_change = [](const Intervention& i) { return std::holds_alternative<ChangeDecision>(i); };
+    if (is_change(intervention) &&
+        std::count_if(on.interventions_.begin(), on.interventions_.end(), is_change) >= most_changes)
+      throw InputError("too many changes of settings wait for the next frame; wait for it");
     on.interventions_.push_back(intervention);
   }
 };
 
-void LiveControl::changed(std::unique_lock<std::mutex>& lock) {
-  const LiveState state = state_;
-  lock.unlock();
+/// Under the lock, so that states are reported in their order.
+void LiveControl::changed() {
   woken_.notify_all();
-  if (on_change) on_change(state);
+  if (on_change) on_change(state_);
 }
 
 void LiveControl::command(const ViewerCommand& command) {
-  std::unique_lock lock(mutex_);
+  const std::lock_guard lock(mutex_);
   std::visit(Change{*this}, command);
-  changed(lock);
+  changed();
 }
 
 void LiveControl::begin() {
-  std::unique_lock lock(mutex_);
+  const std::lock_guard lock(mutex_);
   state_ = {true, false, state_.speed, "", ""};
   steps_ = 0;
   stop_ = start_.has_value();  // a viewer may have started yet another run while this one was loaded
   interventions_.clear();
   anchor_.reset();
-  changed(lock);
+  changed();
 }
 
 std::optional<LiveControl::Clock::time_point> LiveControl::due(double t) {
@@ -102,11 +107,11 @@ std::vector<Intervention> LiveControl::take_interventions() {
 }
 
 void LiveControl::end(const std::string& status, const std::string& reason) {
-  std::unique_lock lock(mutex_);
+  const std::lock_guard lock(mutex_);
   state_.running = state_.paused = false;
   state_.ended_status = status;
   state_.ended_reason = reason;
-  changed(lock);
+  changed();
 }
 
 std::optional<StartRun> LiveControl::wait_for_start() {

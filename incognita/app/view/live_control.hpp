@@ -39,13 +39,13 @@ class LiveControl {
   /// Waits until a viewer starts another run. None: the program is to end.
   std::optional<StartRun> wait_for_start();
 
-  /// Called from either thread after each change of the state.
+  /// Called from either thread after each change of the state; must not call back.
   std::function<void(const LiveState&)> on_change = {};
 
  private:
   using Clock = std::chrono::steady_clock;
   struct Change;
-  void changed(std::unique_lock<std::mutex>& lock);
+  void changed();
   /// Wall time at which run time `t` is due; none while as fast as possible.
   std::optional<Clock::time_point> due(double t);
 

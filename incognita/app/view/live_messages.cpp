@@ -50,6 +50,7 @@ std::string first_comment(const std::string& toml) {
 std::string live_info_json(const LoadedScenario& loaded, const RunInfo& info, std::int64_t frames) {
   Json json = Json::parse(run_message(info));
   json["name"] = loaded.name;
+  json["start_scenario"] = is_embedded(loaded.file) ? loaded.file.stem().string() : loaded.file.string();
   json["expected_frames"] = frames;
   json["effective_toml"] = info.effective_toml;
   json["disturbances"] = possible_disturbances(loaded.scenario);
@@ -87,12 +88,15 @@ std::string observability_fields(const ObservabilityReport& report) {
   return text.substr(1, text.size() - 2);
 }
 
-std::string scenarios_json() {
+std::string scenarios_json(const std::string& further) {
   Json list = Json::array();
   for (const std::string& name : embedded_scenarios()) {
     const std::string path = std::string(embedded_root) + "/" + name + ".toml";
     list.push_back({{"name", name}, {"about", first_comment(read_file(path, largest_scenario))}});
   }
+  const auto is_further = [&](const Json& known) { return known["name"] == further; };
+  if (std::none_of(list.begin(), list.end(), is_further) && file_exists(further))
+    list.push_back({{"name", further}, {"about", first_comment(read_file(further, largest_scenario))}});
   return text_of(list);
 }
 

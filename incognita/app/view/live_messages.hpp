@@ -21,7 +21,7 @@ std::string changed_info_json(const std::string& info_json, const ChangeDecision
 /// What the observability monitor says, as JSON fields without braces: "lines" and "directions".
 std::string observability_fields(const ObservabilityReport& report);
 
-/// The built-in scenarios with their descriptions, as JSON.
-std::string scenarios_json();
+/// The built-in scenarios and, if it is none of them, `further`, with their descriptions, as JSON.
+std::string scenarios_json(const std::string& further);
 
 }  // namespace incognita

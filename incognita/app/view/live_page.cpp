@@ -11,6 +11,7 @@
 #include "incognita/app/view/page_answers.hpp"
 #include "incognita/app/view/page_files.hpp"
 #include "incognita/app/view/settings_json.hpp"
+#include "incognita/io/formats/files.hpp"
 #include "incognita/live/foxglove_messages.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/recorder.hpp"
@@ -32,8 +33,8 @@ std::vector<std::string> settings_of(const HttpRequest& request) {
 
 }  // namespace
 
-LivePage::LivePage(ServerSettings settings, std::function<bool()> interrupted)
-    : control_(std::move(interrupted)) {
+LivePage::LivePage(ServerSettings settings, std::string scenario, std::function<bool()> interrupted)
+    : scenario_(std::move(scenario)), control_(std::move(interrupted)) {
   check_page_is_complete();
   channel_ = std::make_shared<PageChannel>([this](const ViewerCommand& asked) { command(asked); });
   control_.on_change = [this](const LiveState& state) { channel_->set_state(state); };
@@ -122,9 +123,19 @@ void LivePage::refused(const Intervention& intervention, const std::string& why)
   channel_->refuse(name(intervention), why);
 }
 
+/// A viewer names no files of this machine but the one that the program was started with.
+LoadedScenario LivePage::load_for_viewer(const std::string& scenario,
+                                         const std::vector<std::string>& settings) const {
+  const std::vector<std::string> built_in = embedded_scenarios();
+  if (scenario != scenario_ && std::find(built_in.begin(), built_in.end(), scenario) == built_in.end())
+    throw InputError(scenario.substr(0, 100) +
+                     ": is no built-in scenario, nor the one that the program was started with");
+  return load_scenario(scenario, settings);
+}
+
 /// In the server's thread. A run that could not start is refused here already, as far as its settings say.
 void LivePage::command(const ViewerCommand& asked) {
-  if (const auto* start = std::get_if<StartRun>(&asked)) load_scenario(start->scenario, start->settings);
+  if (const auto* start = std::get_if<StartRun>(&asked)) load_for_viewer(start->scenario, start->settings);
   control_.command(asked);
 }
 
@@ -132,16 +143,16 @@ void LivePage::command(const ViewerCommand& asked) {
 HttpAnswer LivePage::answer(const HttpRequest& request) {
   const auto path = api_path(request.path);
   if (path.empty()) return error_answer(404, "there is no such page");
-  if (path[0] == "scenarios") return json_answer(scenarios_json());
+  if (path[0] == "scenarios") return json_answer(scenarios_json(scenario_));
   if (path[0] == "config") {
     try {
       return json_answer(
-          scenario_json(load_scenario(std::string(request.parameter("scenario")), settings_of(request))));
+          scenario_json(load_for_viewer(std::string(request.parameter("scenario")), settings_of(request))));
     } catch (const InputError& error) {
       return error_answer(400, error.what());
     }
   }
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
   if (path[0] == "mode") {
     nlohmann::json runs = nlohmann::json::array();
     for (const std::string& name : runs_.names()) runs.push_back({{"name", name}});
@@ -157,7 +168,9 @@ HttpAnswer LivePage::answer(const HttpRequest& request) {
   if (*index != runs_.size() || !current_ || !current_->history)
     return runs_.answer(*index, {path.begin() + 2, path.end()});
   if (path[2] == "info") return json_answer(current_->info_json);
-  if (path[2] == "series") return json_answer(current_->history->json());
+  const auto history = current_->history;
+  lock.unlock();  // the loop takes it between two frames
+  if (path[2] == "series") return json_answer(history->json());
   return error_answer(404, "frames, images and the summary are available after the end of the run");
 }
 

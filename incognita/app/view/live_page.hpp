@@ -24,9 +24,9 @@ class ObservabilityWatch;
 
 class LivePage final : public InterventionSource {
  public:
-  /// Throws InputError if the server cannot listen, or the program has no page. `interrupted`: whether the program is to
-  /// end.
-  LivePage(ServerSettings settings, std::function<bool()> interrupted);
+  /// Throws InputError if the server cannot listen, or the program has no page. `scenario`: the file that viewers may
+  /// start besides the built-in ones, as given to the program. `interrupted`: whether the program is to end.
+  LivePage(ServerSettings settings, std::string scenario, std::function<bool()> interrupted);
   ~LivePage() override;
 
   std::string address() const { return server_->address(); }
@@ -63,6 +63,9 @@ class LivePage final : public InterventionSource {
     std::shared_ptr<SeriesHistory> history;
   };
 
+  LoadedScenario load_for_viewer(const std::string& scenario, const std::vector<std::string>& settings) const;
+
+  const std::string scenario_;
   LiveControl control_;
   std::shared_ptr<PageChannel> channel_;
   std::shared_ptr<FoxgloveChannel> foxglove_ = std::make_shared<FoxgloveChannel>();

@@ -49,6 +49,9 @@ std::string read_file(const std::filesystem::path& path, std::size_t largest) {
   if (std::filesystem::is_directory(path, error)) {
     throw InputError(fmt::format("{}: is a folder, not a file", path.native()));
   }
+  if (const auto type = std::filesystem::status(path, error).type();
+      type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found)
+    throw InputError(fmt::format("{}: is no regular file; a pipe or device is not read", path.native()));
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(fmt::format("{}: cannot be read: {}", path.native(), std::strerror(errno)));
   std::string content;

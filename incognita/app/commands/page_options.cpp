@@ -46,6 +46,12 @@ ServerSettings server_settings(const PageOptions& options) {
   return settings;
 }
 
+std::string hint_for_other_machines(const PageOptions& options) {
+  if (options.address != "0.0.0.0" && options.address != "::") return "";
+  return fmt::format("on another machine, open it with this one's name or address in place of {}\n",
+                     options.address);
+}
+
 void open_in_browser(const std::string& address) {
   if (!has_desktop()) return;
   const pid_t child = fork();

@@ -21,6 +21,9 @@ void add_access_options(CLI::App& command, PageOptions& options);
 /// With a random token unless only this machine can connect. Throws InputError for a wrong port.
 ServerSettings server_settings(const PageOptions& options);
 
+/// A line, or nothing if the page is for this machine or the address can be used as it is.
+std::string hint_for_other_machines(const PageOptions& options);
+
 /// Opens the address in the browser of a desktop; does nothing elsewhere.
 void open_in_browser(const std::string& address);
 

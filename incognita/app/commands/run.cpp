@@ -113,6 +113,9 @@ void check(const Options& options) {
   if (options.scenario.empty())
     throw InputError("the scenario is empty; a file or the name of a built-in one is required");
   if (options.out && options.out->empty()) throw InputError("--out: is empty; a folder is required");
+  if (options.view.empty() &&
+      (options.page.address != PageOptions{}.address || !options.page.allowed_origins.empty()))
+    throw InputError("--view-address and --allow-origin: only with --view");
   if (options.replay_commands && !options.view.empty())
     throw InputError("--replay-commands and --view: only one of them at a time");
 }
@@ -205,7 +208,7 @@ int run_with_page(Options options) {
   LoadedScenario loaded = load(options);
   const std::string out = options.out.value_or("out/" + loaded.name);
   LivePage page(server_settings(options.page), options.scenario, [] { return interrupted != 0; });
-  print_message("the page is at {}\n", page.address());
+  print_message("the page is at {}\n{}", page.address(), hint_for_other_machines(options.page));
   open_in_browser(page.address());
   int code = 0;
   for (int run = 1;; ++run) {

@@ -24,11 +24,11 @@ struct Options {
 volatile std::sig_atomic_t interrupted = 0;
 void interrupt(int) { interrupted = 1; }
 
-void serve_until_interrupted(const std::string& address) {
+void serve_until_interrupted(const std::string& address, const PageOptions& options) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
   std::signal(SIGPIPE, SIG_IGN);
-  print_message("the page is at {} until Ctrl-C\n", address);
+  print_message("the page is at {} until Ctrl-C\n{}", address, hint_for_other_machines(options));
   open_in_browser(address);
   while (!interrupted) std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }
@@ -36,14 +36,14 @@ void serve_until_interrupted(const std::string& address) {
 int view(const Options& options) {
   if (options.runs.size() == 1 && is_laboratory(options.runs[0])) {
     const LaboratoryPage page(options.runs[0], server_settings(options.page));
-    serve_until_interrupted(page.address());
+    serve_until_interrupted(page.address(), options.page);
     return 0;
   }
   if (options.runs.size() > 2)
     throw InputError("view: one run can be replayed, or two compared; " +
                      std::to_string(options.runs.size()) + " were given");
   const ReplayPage page({options.runs.begin(), options.runs.end()}, server_settings(options.page));
-  serve_until_interrupted(page.address());
+  serve_until_interrupted(page.address(), options.page);
   return 0;
 }
 

@@ -253,6 +253,7 @@ TEST(PageChannel, DeliversAllSnapshotsInOrder) {
   constexpr int all = 200, at_once = 8;  // fewer than the server may keep
   Served served;
   WebSocketClient viewer = served.viewer();
+  ASSERT_EQ(Json::parse(*viewer.receive())["type"], "state");  // it has joined
   served.channel->begin(0, "test", false);
   for (int next = 0, published = 0; next < all;) {
     if (next == published)

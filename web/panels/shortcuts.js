@@ -1,6 +1,9 @@
 // Keys of the whole page. They do nothing while an input has the focus or a dialog is open.
 import { takesKeys } from './dom.js';
 
+/** A held key does these once. */
+const ONCE = [' ', 't', 'n', '?'];
+
 /** @param {Record<string, () => void>} actions by key */
 export function listenToShortcuts(actions) {
   document.addEventListener('keydown', (event) => {
@@ -11,6 +14,6 @@ export function listenToShortcuts(actions) {
     const action = actions[event.key.toLowerCase()];
     if (!action) return;
     event.preventDefault();
-    action();
+    if (!event.repeat || !ONCE.includes(event.key.toLowerCase())) action();
   });
 }

@@ -3,6 +3,7 @@
 import { ellipsoidMatrix, positionBlock } from '../math/ellipse.js';
 import { cameraShape, numberLabel, vehicleShape } from './body-shapes.js';
 import { sceneColor } from './colors.js';
+import { emptyGroup } from './empty-group.js';
 import * as THREE from './three.js';
 /** @typedef {import('../state/types.js').Body} Body */
 /** @typedef {import('../state/types.js').Info} Info */
@@ -20,7 +21,7 @@ export class Bodies {
 
   /** @param {Info} info @param {number} size of the drawn shapes, m */
   rebuild(info, size) {
-    for (const group of [this.estimate, this.truth, this.uncertainty]) group.remove(...group.children);
+    for (const group of [this.estimate, this.truth, this.uncertainty]) emptyGroup(group);
     this.updateColors();
     this.#bodies = Array.from({ length: info.bodies }, (_, index) => {
       const shape = () =>

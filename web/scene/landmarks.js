@@ -72,6 +72,7 @@ export class Landmarks {
     this.#anchors.begin(all.length);
     let count = 0;
     for (const landmark of all) {
+      if (!landmark.position) continue;
       const { x, y, z } = landmark.position;
       if (landmark.kind === 'anchor') {
         this.#anchors.add(x, y, z, this.#anchorColor, ANCHOR_SHAPE);
@@ -81,9 +82,10 @@ export class Landmarks {
       const style = /** @type {{color: THREE.Color, shape: number}} */ (
         this.#styles.get((outcome && OUTCOMES[outcome]) ?? NOT_PREDICTED)
       );
+      this.#markers.add(x, y, z, style.color, style.shape);
+      if (!landmark.covariance) continue;
       ellipsoidMatrix(landmark.covariance, x, y, z, SIGMAS, MIN_HALF_AXIS_M, this.#matrices, 16 * count);
       style.color.toArray(colors, 3 * count);
-      this.#markers.add(x, y, z, style.color, style.shape);
       this.#places.set(landmark.id, count++);
     }
     this.#mesh.count = count;

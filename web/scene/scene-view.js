@@ -6,6 +6,7 @@ import { Landmarks } from './landmarks.js';
 import { Surroundings } from './surroundings.js';
 import { ThickLine } from './thick-line.js';
 import * as THREE from './three.js';
+import { emptyGroup } from './empty-group.js';
 import { ViewControl } from './view-control.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 /** @typedef {import('./view-control.js').Preset} Preset */
@@ -82,7 +83,7 @@ export class SceneView {
   }
 
   updateTheme() {
-    this.#rebuild();
+    this.#rebuild(false);
   }
 
   /** @returns {Promise<Blob | null>} the present view as PNG */
@@ -123,7 +124,8 @@ export class SceneView {
     this.draw();
   }
 
-  #rebuild() {
+  /** @param {boolean} [fit] whether the view may move to a new extent */
+  #rebuild(fit = true) {
     this.renderer.setClearColor(sceneColor('--surface'));
     this.landmarks.updateColors();
     const info = this.run.info;
@@ -136,14 +138,14 @@ export class SceneView {
       this.#bodies.rebuild(info, Math.min(1.2, Math.max(0.25, 0.035 * span)));
       this.#rebuildPaths(info.bodies);
       this.#applyLayers();
-      if (grown) this.preset('reset');
+      if (grown && fit) this.preset('reset');
     }
     this.#showSnapshot();
   }
 
   /** @param {number} bodies */
   #rebuildPaths(bodies) {
-    for (const group of Object.values(this.#pathGroups)) group.remove(...group.children);
+    for (const group of Object.values(this.#pathGroups)) emptyGroup(group);
     this.#paths = Array.from({ length: bodies }, () => ({
       estimate: new ThickLine(2.5, 0),
       truth: new ThickLine(2, DASH_M),
@@ -216,7 +218,7 @@ function extentOf(run) {
     );
   } else {
     for (const { position } of run.snapshot?.landmarks ?? [])
-      box.expandByPoint(new THREE.Vector3(position.x, position.y, position.z));
+      if (position) box.expandByPoint(new THREE.Vector3(position.x, position.y, position.z));
     for (const { estimate } of run.paths) {
       for (let k = 0; k < estimate.xyz.length; k += 3) {
         if (Number.isFinite(estimate.xyz[k]))

@@ -2,6 +2,7 @@
 // cells.
 import { unseenCenters } from '../math/seen-cells.js';
 import { sceneColor } from './colors.js';
+import { emptyGroup } from './empty-group.js';
 import * as THREE from './three.js';
 /** @typedef {import('../state/types.js').Box} Box */
 /** @typedef {import('../state/types.js').Exploration} Exploration */
@@ -28,7 +29,7 @@ export class Surroundings {
 
   /** @param {Info} info @param {THREE.Box3} extent what the grid must cover */
   rebuild(info, extent) {
-    for (const group of [this.grid, this.room, this.terrain]) group.remove(...group.children);
+    for (const group of [this.grid, this.room, this.terrain]) emptyGroup(group);
     this.#seen = '';
     this.unseen.geometry.dispose();
     this.unseen.geometry = new THREE.BufferGeometry();

@@ -84,9 +84,17 @@ export class ThickLine {
       for (let i = 0; i < 6; ++i) array[STRIDE * k + i] = joined ? xyz[3 * k + i] : NaN;
       array[STRIDE * k + 6] = k === 0 ? 0 : array[STRIDE * k - 1] + segmentLength(array, k - 1);
     }
-    this.#buffer.updateRange = { offset: STRIDE * this.#count, count: STRIDE * (segments - this.#count) };
-    this.#buffer.needsUpdate = true;
+    this.#upload(STRIDE * this.#count, STRIDE * segments);
     this.#count = segments;
+  }
+
+  /** Together with what was not yet uploaded: three.js uploads when it draws, and draws no hidden line. @param {number} begin @param {number} end */
+  #upload(begin, end) {
+    const { offset, count } = this.#buffer.updateRange;
+    const waits = count !== -1;
+    const from = waits ? Math.min(offset, begin) : begin;
+    this.#buffer.updateRange = { offset: from, count: (waits ? Math.max(offset + count, end) : end) - from };
+    this.#buffer.needsUpdate = true;
   }
 
   /** @param {number} capacity */

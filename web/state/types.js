@@ -62,8 +62,8 @@
  */
 
 /**
- * @typedef {{id: number, kind: 'anchor' | 'landmark', detections: number, position: Vector, covariance:
- *   number[]}} Landmark
+ * @typedef {{id: number, kind: 'anchor' | 'landmark', detections: number, position?: Vector, covariance?:
+ *   number[]}} Landmark without what is not finite
  */
 /** @typedef {{min: number[], cell_m: number, cells: number[], seen: string}} Exploration */
 

@@ -33,7 +33,9 @@ export class CameraView {
   #forget() {
     this.#bitmap?.close();
     this.#bitmap = null;
+    this.#bitmapFrame = -1;
     this.draw();
+    this.#decode();
   }
 
   /** Decodes the newest image; those that arrive meanwhile are skipped. */
@@ -43,7 +45,8 @@ export class CameraView {
     while (this.run.image && this.run.image.frame !== this.#bitmapFrame) {
       const { frame, jpeg } = this.run.image;
       const bitmap = await createImageBitmap(jpeg).catch(() => null);
-      if (!bitmap) break;
+      if (!this.run.image) bitmap?.close(); // of the run before
+      if (!bitmap || !this.run.image) break;
       this.#bitmap?.close();
       this.#bitmap = bitmap;
       this.#bitmapFrame = frame;

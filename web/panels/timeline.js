@@ -117,6 +117,7 @@ export function timeline(runs, clock) {
     const [first, last] = clock.range;
     slider.min = String(first);
     slider.max = String(last);
+    slider.value = String(clock.time); // the range before may have clipped it
     drawMarks(marks, runs, first, last);
     const kept = kinds.value;
     const all = [...new Set(runs.flatMap((run) => eventKinds(run.events)))];

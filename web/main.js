@@ -58,7 +58,7 @@ function buildPage(session) {
   const runs = shown.map(() => new RunState());
   const clock = new Clock(runs);
   const views = runs.map((run, k) => runView(run, shown[k].name, session, clock));
-  const replays = runs.map((run, k) => new ReplayRun(k, run, (text) => session.report(text)));
+  const replays = runs.map((run) => new ReplayRun(run, (text) => session.report(text)));
   exposeForTests(runs, () => views.map((view) => view.scene()));
 
   byId('mode').textContent = `${mode}, version ${version}`;
@@ -146,6 +146,7 @@ async function startReplay(runs, session, clock) {
   try {
     await Promise.all(
       runs.map(async (run, index) => {
+        run.index = index;
         const [info, series] = await Promise.all([fetchInfo(index), fetchSeries(index)]);
         run.setInfo(info);
         run.setSeries(series);

@@ -20,7 +20,7 @@ export function followLiveRun(run, session) {
   async function startRun(index) {
     const started = ++generation;
     waiting = [];
-    run.reset();
+    run.reset(index);
     try {
       const [info, series] = await Promise.all([fetchInfo(index), fetchSeries(index)]);
       if (started !== generation) return;

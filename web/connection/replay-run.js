@@ -15,16 +15,14 @@ export class ReplayRun {
   #busy = false;
 
   /**
-   * @param {number} index number of the run
    * @param {RunState} run
    * @param {(message: string) => void} report
    */
-  constructor(index, run, report) {
-    this.index = index;
+  constructor(run, report) {
     this.run = run;
     this.report = report;
     run.on('info', () => {
-      this.#cache.clear();
+      this.#cache = new Map();
       this.#wanted = -1;
     });
   }
@@ -45,17 +43,23 @@ export class ReplayRun {
   async #load(ahead) {
     this.#busy = true;
     let shown = -1;
-    while (shown !== this.#wanted) {
+    while (this.#wanted >= 0 && shown !== this.#wanted) {
       shown = this.#wanted;
+      const cache = this.#cache;
       try {
         const request = this.#request(shown);
         for (let k = 1; ahead && k <= FRAMES_AHEAD; ++k) this.#request(shown + k);
         const { snapshot, image } = await request;
+        if (cache !== this.#cache) {
+          shown = -1; // of the run before
+          continue;
+        }
         this.run.showSnapshot(snapshot);
         if (image) this.run.setImage(snapshot.frame, image);
       } catch (error) {
-        this.#cache.delete(shown);
-        this.report(`Frame ${shown} could not be read: ${/** @type {Error} */ (error).message}`);
+        if (cache === this.#cache)
+          this.report(`Frame ${shown} could not be read: ${/** @type {Error} */ (error).message}`);
+        cache.delete(shown);
       }
     }
     this.#busy = false;
@@ -65,14 +69,16 @@ export class ReplayRun {
   #request(frame) {
     const cached = this.#cache.get(frame);
     if (cached || frame >= this.run.series.t.length) return cached ?? /** @type {any} */ (undefined);
+    const { index } = this.run;
     const place = this.run.series.frames[frame] - this.run.series.frames[0];
-    const image = this.run.info?.camera ? fetchImage(this.index, place) : null;
-    const request = Promise.all([fetchFrame(this.index, place), image]).then(([snapshot, blob]) => ({
+    const image = this.run.info?.camera ? fetchImage(index, place) : null;
+    const cache = this.#cache;
+    const request = Promise.all([fetchFrame(index, place), image]).then(([snapshot, blob]) => ({
       snapshot,
       image: blob,
     }));
-    request.catch(() => this.#cache.delete(frame));
-    this.#cache.set(frame, request);
+    request.catch(() => cache.delete(frame));
+    cache.set(frame, request);
     const oldest = this.#cache.keys().next().value;
     if (this.#cache.size > CACHED_FRAMES && oldest !== undefined) this.#cache.delete(oldest);
     return request;

@@ -17,6 +17,8 @@ const GAP_FRAMES = 20;
 
 /** Emits `info`, `series`, `snapshot`, `image`, `observability`, and `decision-settings` when a viewer changed them. */
 export class RunState extends Emitter {
+  /** Number of the run at the program: a program with a page counts the runs that it starts. */
+  index = 0;
   sequence = new SequenceMonitor();
   /** @type {Info | null} */
   info = null;
@@ -35,8 +37,9 @@ export class RunState extends Emitter {
   paths = [];
   liveEvents = new LiveEvents();
 
-  /** Forgets everything, for a new run. */
-  reset() {
+  /** Forgets everything, for a new run. @param {number} index */
+  reset(index) {
+    this.index = index;
     this.info = null;
     this.series = new Series();
     this.events = [];

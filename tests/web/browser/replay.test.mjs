@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { fact, openPage } from './harness/page.mjs';
 import { finishedRun, serve, summaryOf, table, watchedRun } from './harness/program.mjs';
+import { connectViewer } from './harness/viewer.mjs';
 
 const lastOf = (values) => values[values.length - 1];
 const close = (a, b, words) => assert(Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(b)), `${words}: ${a} instead of ${b}`);
@@ -109,4 +110,31 @@ test('a run that has ended can be played again', async (t) => {
   await page.waitForFunction(() => window.incognita.snapshot.frame > 5 && window.incognita.snapshot.frame < 25);
   await page.waitForFunction(() => window.incognita.snapshot.frame === 29);
   await page.getByRole('button', { name: 'Play' }).waitFor();
+});
+
+test('a second run of a program is replayed with its own frames, also after the page is loaded again', async (t) => {
+  const run = await watchedRun(t, 'explore-room', ['--duration', '1']);
+  const page = await openPage(t, run.address);
+  const ended = () => page.locator('.loop-state[data-state=ended]').waitFor();
+  await ended();
+  const viewer = await connectViewer(t, run.address);
+  viewer.send({ type: 'start', scenario: 'explore-room', set: ['run.seed=7', 'run.duration_s=2'] });
+  await page.waitForFunction(() => window.incognita.runs[0].info?.seed === 7 && window.incognita.snapshot?.frame === 29);
+  await ended();
+
+  const rows = table(`${run.folder}-2`, 'series.csv');
+  const entropyAt = (frame) => page.waitForFunction(([wanted, total]) => {
+    const { snapshot } = window.incognita;
+    return snapshot?.frame === wanted && Math.abs(snapshot.entropy.total - total) < 1e-6 * Math.abs(total);
+  }, [frame, rows[frame].entropy_total_nats]);
+  await page.getByRole('button', { name: 'Previous frame' }).click();
+  await entropyAt(28);
+  await page.reload();
+  await entropyAt(29);
+  await page.locator('.camera header .note', { hasText: 'frame 29' }).waitFor();
+  assert.match(await page.locator('.time-text').innerText(), /^1\.93 \/ 1\.93 s$/);
+  const slider = page.getByLabel('Time', { exact: true });
+  await page.waitForFunction(() => document.querySelector('.timeline input').max > 1.9);
+  assert(Math.abs(await slider.evaluate((input) => input.valueAsNumber - Number(input.max))) < 1e-6);
+  assert.equal(await page.locator('.message').isVisible(), false);
 });

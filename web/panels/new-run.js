@@ -1,5 +1,6 @@
 // Dialog that starts a run: scenario, seed and every other setting, checked by the program.
 import { fetchConfig, fetchScenarios } from '../connection/api.js';
+import { scenarioOf } from '../state/run-state.js';
 import { button, element, labeled, select } from './dom.js';
 import { settingsForm } from './settings-form.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
@@ -117,7 +118,7 @@ export function newRunDialog(run, session) {
     }
     if (scenarios.options.length > 0) return;
     scenarios.append(...known.map(({ name }) => element('option', { value: name }, name)));
-    scenario = known.find(({ name }) => name === run.info?.name)?.name ?? known[0]?.name ?? '';
+    scenario = known.find(({ name }) => run.info && name === scenarioOf(run.info))?.name ?? known[0]?.name ?? '';
     scenarios.value = scenario;
     seed.value = String(run.info?.seed ?? 1);
     if (scenario) await check();

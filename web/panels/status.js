@@ -1,4 +1,5 @@
 // Status line of one run: tracking state with its reason, counts, and a banner when the run is lost.
+import { scenarioOf } from '../state/run-state.js';
 import { element } from './dom.js';
 
 /** @typedef {import('../state/run-state.js').RunState} RunState */
@@ -37,7 +38,7 @@ export function statusLine(run, session) {
     word.textContent = state;
     reason.textContent = snapshot?.reason ?? '';
     reason.title = reason.textContent;
-    name.textContent = info ? `${info.name}, seed ${info.seed}` : '';
+    name.textContent = info ? nameOf(info) : '';
     values.time.textContent = snapshot ? `${snapshot.t.toFixed(2)} s` : '–';
     values.frame.textContent = snapshot
       ? `${snapshot.frame}${info?.expected_frames ? ` of ${info.expected_frames}` : ''}`
@@ -66,4 +67,10 @@ export function statusLine(run, session) {
 function mappedLandmarks(snapshot) {
   const anchors = new Set(snapshot.landmarks?.filter((landmark) => landmark.kind === 'anchor').map(({ id }) => id));
   return (snapshot.landmark_ids ?? []).filter((id) => !anchors.has(id)).length;
+}
+
+/** Scenario and seed, and the run directory if its name is another. @param {import('../state/types.js').Info} info */
+function nameOf(info) {
+  const scenario = scenarioOf(info);
+  return `${scenario}, seed ${info.seed}${info.name === scenario ? '' : ` (${info.name})`}`;
 }

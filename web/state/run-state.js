@@ -132,3 +132,6 @@ export class RunState extends Emitter {
     this.emit('observability');
   }
 }
+
+/** @param {Info} info @returns {string} */
+export const scenarioOf = (info) => info.scenario ?? info.name;

@@ -12,7 +12,8 @@
 
 /**
  * @typedef {object} Info what is known of a run before its first frame
- * @property {string} name
+ * @property {string} name of the scenario; of the run directory of a recorded run
+ * @property {string} [scenario] of a recorded run
  * @property {number} seed
  * @property {'camera' | 'vehicle'} body
  * @property {number} bodies

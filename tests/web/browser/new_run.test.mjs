@@ -1,7 +1,7 @@
 // Another run is started from the page, with settings that the program has checked.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import test from 'node:test';
 import { openPage } from './harness/page.mjs';
 import { watchedRun } from './harness/program.mjs';
@@ -35,4 +35,17 @@ test('a wrong setting shows the message of the program, a right one starts a run
   const settings = readFileSync(join(`${run.folder}-2`, 'effective.toml'), 'utf8');
   assert.match(settings, /^seed = 7 /m);
   assert.match(settings, /^duration_s = 2\.0 /m);
+});
+
+test('another run offers the scenario of the one before, whatever the name of its run directory', async (t) => {
+  const run = await watchedRun(t, 'explore-room', ['--duration', '1']);
+  const page = await openPage(t, run.address);
+  await page.locator('.loop-state[data-state=ended]').waitFor();
+  await page.reload();
+  const folder = basename(run.folder);
+  await page.locator('.run-name', { hasText: `explore-room, seed 1 (${folder})` }).waitFor();
+  await page.getByRole('button', { name: 'New run…' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New run' });
+  await dialog.locator('.answer', { hasText: '✓' }).waitFor();
+  assert.equal(await dialog.getByLabel('scenario').inputValue(), 'explore-room');
 });

@@ -75,19 +75,22 @@ export class PlotSet {
     if (t.length === 0) return;
     const range = this.clock.shownRange;
     this.entropy.draw({ t, range, lines: this.#entropyLines(), marks: this.#initializations() });
-    this.errors.forEach((plot, k) => this.#drawError(plot, this.#errorData(ERRORS[k][0], t, range)));
+    this.#drawErrors(t, range);
     this.nis.draw(this.#nisData(t, range));
     this.timings.draw(this.clock.replaying ? this.clock.time : t[t.length - 1]);
   }
 
-  /** A component that neither moves nor is uncertain, such as the height of a planar vehicle, is left out.
-   * @param {LinePlot} plot @param {PlotData} data */
-  #drawError(plot, data) {
-    const constant = [data.band?.high ?? [], ...data.lines.map((line) => line.values)].every((values) =>
-      values.every((v) => !v),
-    );
-    /** @type {HTMLElement} */ (plot.svg.parentElement).hidden = constant;
-    if (!constant) plot.draw(data);
+  /**
+   * A component that neither moves nor is uncertain, such as the height of a planar vehicle, is left out. Those
+   * come first: the others share their room.
+   * @param {number[]} t @param {[number, number]} range
+   */
+  #drawErrors(t, range) {
+    const data = ERRORS.map(([name]) => this.#errorData(name, t, range));
+    this.errors.forEach((plot, k) => {
+      /** @type {HTMLElement} */ (plot.svg.parentElement).hidden = isConstant(data[k]);
+    });
+    this.errors.forEach((plot, k) => isConstant(data[k]) || plot.draw(data[k]));
   }
 
   #entropyLines() {
@@ -135,6 +138,11 @@ export class PlotSet {
       band: { low: bands.map((b) => b[0]), high: bands.map((b) => b[1]), color: '--green' },
     };
   }
+}
+
+/** @param {PlotData} data */
+function isConstant({ band, lines }) {
+  return [band?.high ?? [], ...lines.map((line) => line.values)].every((values) => values.every((v) => !v));
 }
 
 /**

@@ -155,7 +155,7 @@ export class LinePlot {
     );
     this.axisY
       .attr('transform', `translate(${MARGIN.left},0)`)
-      .call(d3.axisLeft(y).ticks(ticksY).tickSize(-columns).tickPadding(4).tickFormat(shortNumber));
+      .call(d3.axisLeft(y).tickValues(ticksOf(y, ticksY)).tickSize(-columns).tickPadding(4).tickFormat(shortNumber));
   }
 
   /** @param {any} y @param {number} columns */
@@ -235,6 +235,13 @@ function domainOf(lines, kept) {
   if (low > high) return [0, 1];
   const pad = 0.06 * (high - low) || 0.5;
   return [low - pad, high + pad];
+}
+
+/** At least two ticks, about `count`. @param {any} y scale @param {number} count @returns {number[]} */
+function ticksOf(y, count) {
+  let ticks = y.ticks(count);
+  for (let more = count + 1; ticks.length < 2 && more < 10; ++more) ticks = y.ticks(more);
+  return ticks;
 }
 
 /** @param {number} value @returns {string} at most about 5 characters; – where unknown */

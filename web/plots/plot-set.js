@@ -59,6 +59,10 @@ export class PlotSet {
       plotPanel('Stage timings', 'timings', [this.timings], ''),
     );
     this.draw = onDemand(() => this.drawNow(), REDRAW_MS);
+    run.on('info', () => {
+      const note = /** @type {HTMLElement} */ (this.element.querySelector('.errors .note'));
+      note.textContent = (run.info?.bodies ?? 1) > 1 ? 'of body 1' : '';
+    });
     run.on('series info', () => this.draw());
     clock.on('span', () => this.draw());
     clock.on('time', () => this.draw());

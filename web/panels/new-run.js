@@ -26,6 +26,7 @@ export function newRunDialog(run, session) {
   });
   const changedOnly = element('input', { type: 'checkbox', onchange: applyFilter });
   const form = element('div', { class: 'settings' });
+  const nothing = element('p', { class: 'note', hidden: true }, 'No setting matches.');
   const answer = element('pre', { class: 'answer', role: 'status' });
   const dialog = element(
     'dialog',
@@ -45,6 +46,7 @@ export function newRunDialog(run, session) {
       filter,
     ),
     about,
+    nothing,
     form,
     answer,
     element('footer', {}, button('Check', check), button('Start', start, { class: 'primary' })),
@@ -60,6 +62,7 @@ export function newRunDialog(run, session) {
   }
   function applyFilter() {
     const words = filter.value.trim().toLowerCase();
+    let found = 0;
     for (const group of form.querySelectorAll('details')) {
       let shown = 0;
       for (const row of /** @type {NodeListOf<HTMLElement>} */ (group.querySelectorAll('.setting'))) {
@@ -70,8 +73,10 @@ export function newRunDialog(run, session) {
         if (!row.hidden) ++shown;
       }
       group.hidden = shown === 0;
+      found += shown;
       if (words || changedOnly.checked) group.open = shown > 0;
     }
+    nothing.hidden = found > 0 || form.childElementCount === 0;
   }
   /** @returns {Promise<boolean>} whether the program accepts the settings */
   async function check() {

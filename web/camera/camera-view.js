@@ -2,6 +2,7 @@
 import { onDemand } from '../state/draw-scheduler.js';
 import { drawMatches } from './overlay.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
+/** @typedef {import('../state/types.js').Info} Info */
 /** @typedef {import('../state/types.js').Match} Match */
 /** @typedef {import('../state/types.js').Snapshot} Snapshot */
 
@@ -44,9 +45,9 @@ export class CameraView {
     this.#decoding = true;
     while (this.run.image && this.run.image.frame !== this.#bitmapFrame) {
       const { frame, jpeg } = this.run.image;
-      const bitmap = await createImageBitmap(jpeg).catch(() => null);
+      const bitmap = jpeg && (await createImageBitmap(jpeg).catch(() => null));
       if (!this.run.image) bitmap?.close(); // of the run before
-      if (!bitmap || !this.run.image) break;
+      if ((jpeg && !bitmap) || !this.run.image) break;
       this.#bitmap?.close();
       this.#bitmap = bitmap;
       this.#bitmapFrame = frame;
@@ -92,10 +93,21 @@ export class CameraView {
 
   /** @param {Snapshot | null} snapshot */
   #note(snapshot) {
-    if (!this.#bitmap) return 'no image yet';
+    if (withoutImages(this.run.info)) return 'no images in this scenario';
+    if (!this.#bitmap) return this.#bitmapFrame < 0 ? 'no image yet' : `no image of frame ${this.#bitmapFrame}`;
     if (!snapshot || snapshot.frame === this.#bitmapFrame) return `frame ${this.#bitmapFrame}`;
     return `image of frame ${this.#bitmapFrame}, matches of frame ${snapshot.frame}`;
   }
+}
+
+/**
+ * Whether a live run has image positions without images: the lens of its camera cannot be covered then. Of a
+ * recorded run it is not known, it takes no disturbances.
+ * @param {Info | null} info
+ */
+function withoutImages(info) {
+  const disturbances = info?.disturbances ?? [];
+  return disturbances.length > 0 && !disturbances.includes('cover-lens');
 }
 
 /** Matches in the first camera that has any: the program sends one image per frame.

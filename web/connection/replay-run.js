@@ -55,7 +55,7 @@ export class ReplayRun {
           continue;
         }
         this.run.showSnapshot(snapshot);
-        if (image) this.run.setImage(snapshot.frame, image);
+        if (this.run.info?.camera) this.run.setImage(snapshot.frame, image);
       } catch (error) {
         if (cache === this.#cache)
           this.report(`Frame ${shown} could not be read: ${/** @type {Error} */ (error).message}`);

@@ -29,7 +29,8 @@ export class RunState extends Emitter {
   snapshot = null;
   /** @type {Map<number, Snapshot>} by frame */
   recent = new Map();
-  /** @type {{frame: number, jpeg: Blob} | null} */
+  /** Of the newest frame whose image is known; `jpeg` is null if that frame has none.
+   * @type {{frame: number, jpeg: Blob | null} | null} */
   image = null;
   /** @type {Observability | null} */
   observability = null;
@@ -120,7 +121,7 @@ export class RunState extends Emitter {
     this.emit('snapshot');
   }
 
-  /** @param {number} frame @param {Blob} jpeg */
+  /** @param {number} frame @param {Blob | null} jpeg null: the frame has no image */
   setImage(frame, jpeg) {
     this.image = { frame, jpeg };
     this.emit('image');

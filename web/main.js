@@ -61,7 +61,10 @@ function buildPage(session) {
   const replays = runs.map((run) => new ReplayRun(run, (text) => session.report(text)));
   exposeForTests(runs, () => views.map((view) => view.scene()));
 
-  byId('mode').textContent = `${mode}, version ${version}`;
+  const showMode = () =>
+    (byId('mode').textContent = `${session.loop.ended ? 'live run, ended' : mode}, version ${version}`);
+  session.on('loop', showMode);
+  showMode();
   document.title = `${shown.map(({ name }) => name).join(' and ')} – incognita`;
   byId('runs').classList.toggle('two', runs.length > 1);
   byId('runs').replaceChildren(...views.map((view) => view.element));

@@ -12,11 +12,16 @@ export function controlPanel(run, session) {
   const made = panel('Control', 'control', content);
   let release = () => {};
   let updateDecision = () => {};
-  run.on('info', () => {
+  let ended = false;
+  const build = () => {
     release();
     const info = run.info;
     made.hidden = !info;
     if (!info) return;
+    if (ended) {
+      content.replaceChildren(element('p', { class: 'note' }, 'The run has ended. “New run…” starts another.'));
+      return;
+    }
     const drive = info.manual ? driveControls(run, session) : null;
     release = drive?.release ?? release;
     const decision = decisionControls(run, info, session);
@@ -26,6 +31,12 @@ export function controlPanel(run, session) {
       ...(drive ? [drive.element] : []),
       disturbanceControls(info, session),
     );
+  };
+  run.on('info', build);
+  session.on('loop', () => {
+    if (ended === (session.loop.ended !== null)) return;
+    ended = !ended;
+    build();
   });
   run.on('decision-settings', () => updateDecision());
   session.on('message', () => updateDecision());

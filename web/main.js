@@ -58,7 +58,13 @@ function buildPage(session) {
   const runs = shown.map(() => new RunState());
   const clock = new Clock(runs);
   const views = runs.map((run, k) => runView(run, shown[k].name, session, clock));
-  const replays = runs.map((run) => new ReplayRun(run, (text) => session.report(text)));
+  const replays = runs.map(
+    (run) =>
+      new ReplayRun(run, (text, error) => {
+        // fetch throws a TypeError without a connection, whose loss the socket of a live page reports
+        if (mode !== 'live' || !(error instanceof TypeError)) session.report(text);
+      }),
+  );
   exposeForTests(runs, () => views.map((view) => view.scene()));
 
   const showMode = () =>

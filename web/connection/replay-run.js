@@ -16,7 +16,7 @@ export class ReplayRun {
 
   /**
    * @param {RunState} run
-   * @param {(message: string) => void} report
+   * @param {(message: string, error: Error) => void} report
    */
   constructor(run, report) {
     this.run = run;
@@ -57,8 +57,9 @@ export class ReplayRun {
         this.run.showSnapshot(snapshot);
         if (this.run.info?.camera) this.run.setImage(snapshot.frame, image);
       } catch (error) {
+        const { message } = /** @type {Error} */ (error);
         if (cache === this.#cache)
-          this.report(`Frame ${shown} could not be read: ${/** @type {Error} */ (error).message}`);
+          this.report(`Frame ${shown} could not be read: ${message}`, /** @type {Error} */ (error));
         cache.delete(shown);
       }
     }

@@ -1,10 +1,10 @@
 // Start of the page: asks the program what it shows, then builds sources, state and views. Data flows one
 // way: a source writes the state, views read it.
-import { fetchInfo, fetchMode, fetchSeries } from './connection/api.js';
+import { RefusedError, fetchInfo, fetchMode, fetchSeries } from './connection/api.js';
 import { followLiveRun } from './connection/live-run.js';
 import { ReplayRun } from './connection/replay-run.js';
 import { announcer } from './panels/announcer.js';
-import { button, labeled, select } from './panels/dom.js';
+import { button, element, labeled, select } from './panels/dom.js';
 import { helpDialog } from './panels/help.js';
 import { loopBar } from './panels/loop-bar.js';
 import { messages } from './panels/messages.js';
@@ -39,12 +39,21 @@ async function start() {
   try {
     mode = await fetchMode();
   } catch (error) {
+    if (error instanceof RefusedError && /token/.test(error.message)) return showTokenError(error.message);
     byId('mode').textContent =
       `The program does not answer (${/** @type {Error} */ (error).message}). Trying again …`;
     setTimeout(start, RETRY_MS);
     return;
   }
   buildPage(new Session(mode));
+}
+
+/** @param {string} message of the program */
+function showTokenError(message) {
+  byId('mode').textContent = message;
+  byId('runs').replaceChildren(
+    element('p', { class: 'loading', role: 'alert' }, 'Open the address that the program printed: it contains a token.'),
+  );
 }
 
 /** @param {Session} session */

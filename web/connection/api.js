@@ -18,6 +18,9 @@ export function addressOf(path, query = []) {
   return url;
 }
 
+/** The program refuses pages of foreign hosts and those without the token of its address. */
+export class RefusedError extends Error {}
+
 /** @returns {URL} */
 export function socketAddress() {
   const url = addressOf('ws');
@@ -33,7 +36,8 @@ async function fetchJson(path, query) {
   const response = await fetch(addressOf(path, query));
   if (!response.ok) {
     const answer = await response.json().catch(() => ({}));
-    throw new Error(answer.error ?? `${path}: HTTP status ${response.status}`);
+    const message = answer.error ?? `${path}: HTTP status ${response.status}`;
+    throw response.status === 403 ? new RefusedError(message) : new Error(message);
   }
   return response.json();
 }

@@ -38,6 +38,8 @@ export function loopBar(session, openNewRun) {
     const { paused, ended, speed: factor } = session.loop;
     pause.textContent = paused ? '▶ Resume' : '❚❚ Pause';
     running.hidden = ended !== null;
+    if (![...speed.options].some(({ value }) => Number(value) === factor))
+      speed.append(element('option', { value: factor }, `${factor}×`));
     if (document.activeElement !== speed) speed.value = String(factor);
     words.textContent = ended
       ? `ended: ${ended.status}${ended.reason ? `, ${ended.reason}` : ''}`

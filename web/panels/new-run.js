@@ -27,6 +27,7 @@ export function newRunDialog(run, session) {
   const changedOnly = element('input', { type: 'checkbox', onchange: applyFilter });
   const form = element('div', { class: 'settings' });
   const nothing = element('p', { class: 'note', hidden: true }, 'No setting matches.');
+  const startButton = button('Start', start, { class: 'primary' });
   const answer = element('pre', { class: 'answer', role: 'status' });
   const dialog = element(
     'dialog',
@@ -49,16 +50,13 @@ export function newRunDialog(run, session) {
     nothing,
     form,
     answer,
-    element('footer', {}, button('Check', check), button('Start', start, { class: 'primary' })),
+    element('footer', {}, button('Check', check), startButton),
   );
   /** @type {{name: string, about: string}[]} */
   let known = [];
 
   function settingsText() {
-    return [
-      `run.seed=${seed.value}`,
-      ...[...changes].filter(([key]) => key !== 'run.seed').map(([key, text]) => `${key}=${text}`),
-    ];
+    return [`run.seed=${seed.value}`, ...[...changes].map(([key, text]) => `${key}=${text}`)];
   }
   function applyFilter() {
     const words = filter.value.trim().toLowerCase();
@@ -91,7 +89,8 @@ export function newRunDialog(run, session) {
       const open = [...form.querySelectorAll('details[open] summary')].map(
         (summary) => summary.firstChild?.textContent,
       );
-      form.replaceChildren(...settingsForm(settings, changes, () => (answer.textContent = '')));
+      const others = settings.filter(({ key }) => key !== 'run.seed'); // it has a field of its own
+      form.replaceChildren(...settingsForm(others, changes, () => (answer.textContent = '')));
       for (const group of form.querySelectorAll('details')) {
         if (open.length)
           group.open = open.includes(group.querySelector('summary')?.firstChild?.textContent ?? '');
@@ -108,7 +107,10 @@ export function newRunDialog(run, session) {
     }
   }
   async function start() {
-    if (!(await check())) return;
+    startButton.disabled = true;
+    const valid = await check();
+    startButton.disabled = false;
+    if (!valid || !dialog.open) return;
     session.command({ type: 'start', scenario, set: settingsText() });
     dialog.close();
   }

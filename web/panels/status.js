@@ -46,9 +46,10 @@ export function statusLine(run, session) {
     values.landmarks.textContent = snapshot ? String(mappedLandmarks(snapshot)) : '–';
     values.matched.textContent = snapshot ? `${snapshot.matched} of ${snapshot.predicted}` : '–';
     const lost = state === 'lost';
-    if (banner.hidden === lost) {
+    const words = lost ? `Lost: ${snapshot?.reason || 'no reason given'}` : '';
+    if (banner.textContent !== words) {
       banner.hidden = !lost;
-      banner.textContent = lost ? `Lost: ${snapshot?.reason || 'no reason given'}` : '';
+      banner.textContent = words;
     }
     if (!live) return;
     values.dropped.textContent = String(run.sequence.dropped);

@@ -1,12 +1,12 @@
 // The page of the claims ledger: loads claims.json, and shows what passes the filter.
-import {element} from "../shared/elements.js";
-import {loadJson} from "../shared/files.js";
-import {showProblem} from "../shared/problem.js";
-import {filterOf, queryOf} from "./address.js";
-import {chapterButtons, contents, verdictButtons} from "./controls.js";
-import {entryView} from "./entry_view.js";
-import {allChapters, claimsForCounts, filtered, noFilter, readLedger} from "./ledger.js";
-import {termsOf} from "./search.js";
+import { element } from '../shared/elements.js';
+import { loadJson } from '../shared/files.js';
+import { showProblem } from '../shared/problem.js';
+import { filterOf, queryOf } from './address.js';
+import { chapterButtons, contents, verdictButtons } from './controls.js';
+import { entryView } from './entry_view.js';
+import { allChapters, claimsForCounts, filtered, noFilter, readLedger } from './ledger.js';
+import { termsOf } from './search.js';
 
 const byId = (id) => document.getElementById(id);
 
@@ -19,20 +19,25 @@ function show() {
   const count = shown.reduce((sum, entry) => sum + entry.claims.length, 0);
   const total = entries.reduce((sum, entry) => sum + entry.claims.length, 0);
   updates.forEach((update) => update(claimsForCounts(entries, filter)));
-  byId("clear").hidden = queryOf(filter) === "";
-  byId("count").textContent = count === total ? `${total} claims` : `${count} of ${total} claims`;
-  contents(byId("contents"), shown);
+  byId('clear').hidden = queryOf(filter) === '';
+  byId('count').textContent = count === total ? `${total} claims` : `${count} of ${total} claims`;
+  contents(byId('contents'), shown);
   const totals = new Map(entries.map((entry) => [entry.id, entry.claims.length]));
   const terms = termsOf(filter.search);
-  byId("ledger").replaceChildren(...shown.map((entry) => entryView(entry, totals.get(entry.id), terms)));
+  byId('ledger').replaceChildren(...shown.map((entry) => entryView(entry, totals.get(entry.id), terms)));
   if (shown.length === 0)
-    byId("ledger").append(element("p", {class: "empty"}, entries.length === 0 ? "This ledger has no entries."
-      : "No claim passes this filter."));
+    byId('ledger').append(
+      element(
+        'p',
+        { class: 'empty' },
+        entries.length === 0 ? 'This ledger has no entries.' : 'No claim passes this filter.',
+      ),
+    );
 }
 
 function change(part) {
-  filter = {...filter, ...part};
-  history.replaceState(null, "", (queryOf(filter, location.search) || location.pathname) + location.hash);
+  filter = { ...filter, ...part };
+  history.replaceState(null, '', (queryOf(filter, location.search) || location.pathname) + location.hash);
   show();
 }
 
@@ -46,47 +51,60 @@ function goToHash() {
   }
   if (!id) return;
   if (!byId(id) && entries.some((entry) => entry.claims.some((claim) => claim.id === id))) {
-    byId("search").value = "";
+    byId('search').value = '';
     change(noFilter);
   }
   const target = byId(id);
   target?.scrollIntoView();
-  if (target?.matches(".claim, .entry")) target.focus({preventScroll: true});
+  if (target?.matches('.claim, .entry')) target.focus({ preventScroll: true });
 }
 
 function connectControls() {
-  const search = byId("search");
+  const search = byId('search');
   search.value = filter.search;
-  search.addEventListener("input", () => change({search: search.value}));
-  search.form.addEventListener("submit", (event) => event.preventDefault());
-  byId("clear").addEventListener("click", () => {
-    search.value = "";
+  search.addEventListener('input', () => change({ search: search.value }));
+  search.form.addEventListener('submit', (event) => event.preventDefault());
+  byId('clear').addEventListener('click', () => {
+    search.value = '';
     change(noFilter);
     search.focus();
   });
-  document.addEventListener("keydown", (event) => {
-    if (event.key !== "/" || event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input, textarea")) return;
+  document.addEventListener('keydown', (event) => {
+    if (
+      event.key !== '/' ||
+      event.ctrlKey ||
+      event.metaKey ||
+      event.altKey ||
+      event.target.matches('input, textarea')
+    )
+      return;
     event.preventDefault();
     search.focus();
   });
-  const dialog = byId("figure-dialog");
-  dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
-  byId("contents-fold").open = matchMedia("(min-width: 900px)").matches;
-  byId("contents").addEventListener("click", () => {
-    if (!matchMedia("(min-width: 900px)").matches) byId("contents-fold").open = false;
+  const dialog = byId('figure-dialog');
+  dialog.addEventListener('click', (event) => event.target === dialog && dialog.close());
+  byId('contents-fold').open = matchMedia('(min-width: 900px)').matches;
+  byId('contents').addEventListener('click', () => {
+    if (!matchMedia('(min-width: 900px)').matches) byId('contents-fold').open = false;
   });
-  updates = [verdictButtons(byId("verdicts"), () => filter, change),
-    chapterButtons(byId("chapters"), allChapters(entries), () => filter, change)];
+  updates = [
+    verdictButtons(byId('verdicts'), () => filter, change),
+    chapterButtons(byId('chapters'), allChapters(entries), () => filter, change),
+  ];
 }
 
 try {
-  entries = readLedger(await loadJson("claims.json"));
+  entries = readLedger(await loadJson('claims.json'));
   connectControls();
   show();
   goToHash();
-  addEventListener("hashchange", goToHash);
+  addEventListener('hashchange', goToHash);
 } catch (error) {
   console.error(error);
-  showProblem(byId("ledger"), error, "The ledger is the file claims.json that incognita reproduce --out DIR writes; " +
-    "incognita view DIR shows it.");
+  showProblem(
+    byId('ledger'),
+    error,
+    'The ledger is the file claims.json that incognita reproduce --out DIR writes; ' +
+      'incognita view DIR shows it.',
+  );
 }

@@ -10,13 +10,13 @@ export function figureNumbers(place) {
 
 /** The number in a figure's id: 3.11 of `fig-3.11-ekf`; "" where there is none, as in `fig-riccati`. */
 export function numberOf(figure) {
-  return figure.id.match(/^fig-(\d+\.\d+)(?![\d.])/)?.[1] ?? "";
+  return figure.id.match(/^fig-(\d+\.\d+)(?![\d.])/)?.[1] ?? '';
 }
 
 /** "Figure 3.11, ekf" for `fig-3.11-ekf`, "Figure riccati" for `fig-riccati`. */
 export function titleOf(figure) {
   const number = numberOf(figure);
-  const rest = figure.id.replace(/^fig-/, "").slice(number.length).replace(/^-/, "").replaceAll("-", " ");
+  const rest = figure.id.replace(/^fig-/, '').slice(number.length).replace(/^-/, '').replaceAll('-', ' ');
   if (!number) return `Figure: ${rest}`;
   return rest ? `Figure ${number}, ${rest}` : `Figure ${number}`;
 }
@@ -33,13 +33,17 @@ export function placeFigures(claims, figures) {
   });
   const ofClaims = claims.map(() => new Set());
   const candidates = (figure) => ofClaims.filter((_, i) => named[i].includes(figure));
-  const byChoice = figures.map((figure) => ({figure, choice: candidates(figure)})).filter(({choice}) => choice.length > 0)
+  const byChoice = figures
+    .map((figure) => ({ figure, choice: candidates(figure) }))
+    .filter(({ choice }) => choice.length > 0)
     .sort((a, b) => a.choice.length - b.choice.length);
-  for (const {figure, choice} of byChoice)
+  for (const { figure, choice } of byChoice)
     choice.reduce((least, other) => (other.size < least.size ? other : least)).add(figure);
   return {
-    ofClaims: ofClaims.map((shown, i) => ({shown: named[i].filter((figure) => shown.has(figure)),
-      mentioned: named[i].filter((figure) => !shown.has(figure))})),
+    ofClaims: ofClaims.map((shown, i) => ({
+      shown: named[i].filter((figure) => shown.has(figure)),
+      mentioned: named[i].filter((figure) => !shown.has(figure)),
+    })),
     rest: figures.filter((figure) => candidates(figure).length === 0),
   };
 }

@@ -3,11 +3,12 @@
 /** The text at its semicolons outside parentheses: "a (b; c); d" has two parts. */
 export function partsOf(text) {
   const parts = [];
-  let depth = 0, start = 0;
+  let depth = 0,
+    start = 0;
   for (let i = 0; i < text.length; ++i) {
-    if (text[i] === "(") ++depth;
-    else if (text[i] === ")") depth = Math.max(0, depth - 1);
-    else if (text[i] === ";" && depth === 0 && text[i + 1] === " ") {
+    if (text[i] === '(') ++depth;
+    else if (text[i] === ')') depth = Math.max(0, depth - 1);
+    else if (text[i] === ';' && depth === 0 && text[i + 1] === ' ') {
       parts.push(text.slice(start, i));
       start = i + 2;
     }

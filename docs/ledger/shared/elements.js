@@ -1,14 +1,16 @@
 // Makes elements of the page from data. Text becomes text nodes, so data can never become markup.
 
-const svgNamespace = "http://www.w3.org/2000/svg";
+const svgNamespace = 'http://www.w3.org/2000/svg';
 
 function fill(node, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) {
     if (value === undefined || value === null || value === false) continue;
-    if (name.startsWith("on")) node.addEventListener(name.slice(2), value);
-    else node.setAttribute(name, value === true ? "" : value);
+    if (name.startsWith('on')) node.addEventListener(name.slice(2), value);
+    else node.setAttribute(name, value === true ? '' : value);
   }
-  node.append(...children.flat(Infinity).filter((child) => child !== undefined && child !== null && child !== ""));
+  node.append(
+    ...children.flat(Infinity).filter((child) => child !== undefined && child !== null && child !== ''),
+  );
   return node;
 }
 

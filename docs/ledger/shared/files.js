@@ -3,11 +3,11 @@
 
 /** The address of a file of the results folder. */
 export function fileAddress(name) {
-  const folder = new URL(document.body.dataset.files ?? "./", document.baseURI);
-  const path = name.split("/").map(encodeURIComponent).join("/");
+  const folder = new URL(document.body.dataset.files ?? './', document.baseURI);
+  const path = name.split('/').map(encodeURIComponent).join('/');
   const address = new URL(path, folder);
-  const token = new URLSearchParams(location.search).get("token");
-  if (token) address.searchParams.set("token", token);
+  const token = new URLSearchParams(location.search).get('token');
+  if (token) address.searchParams.set('token', token);
   return address.href;
 }
 
@@ -18,7 +18,8 @@ async function fetched(name) {
   } catch (error) {
     throw new Error(`${name} could not be loaded: ${error.message}. Is the program still running?`);
   }
-  if (!answer.ok) throw new Error(`${name} could not be loaded: status ${answer.status} ${answer.statusText}`);
+  if (!answer.ok)
+    throw new Error(`${name} could not be loaded: status ${answer.status} ${answer.statusText}`);
   return answer;
 }
 

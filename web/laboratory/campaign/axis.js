@@ -4,7 +4,8 @@
 export function rangeOf(numbers, withZero) {
   const all = numbers.filter(Number.isFinite);
   if (withZero || all.length === 0) all.push(0);
-  let least = Math.min(...all), most = Math.max(...all);
+  let least = Math.min(...all),
+    most = Math.max(...all);
   if (least === most) {
     const half = Math.abs(least) > 0 ? 0.1 * Math.abs(least) : 1;
     least -= half;
@@ -16,14 +17,18 @@ export function rangeOf(numbers, withZero) {
 
 /** Where a symmetric-logarithmic axis turns linear: a power of ten near the median size of the numbers. */
 export function linearPart(numbers) {
-  const sizes = numbers.map(Math.abs).filter((size) => size > 0).sort((a, b) => a - b);
+  const sizes = numbers
+    .map(Math.abs)
+    .filter((size) => size > 0)
+    .sort((a, b) => a - b);
   return sizes.length === 0 ? 1 : 10 ** Math.floor(Math.log10(sizes[Math.floor(sizes.length / 2)]));
 }
 
 /** 0 and powers of ten from the linear part on, within the range; at most `most` of them. */
 export function symlogTicks([least, most], linear, count) {
   const ticks = [0];
-  for (let size = linear; size <= Math.max(Math.abs(least), Math.abs(most)); size *= 10) ticks.push(-size, size);
+  for (let size = linear; size <= Math.max(Math.abs(least), Math.abs(most)); size *= 10)
+    ticks.push(-size, size);
   let kept = ticks.filter((tick) => tick >= least && tick <= most).map((tick) => Number(tick.toPrecision(6)));
   for (let step = 2; kept.length > count && step < 16; ++step) {
     const decade = (tick) => Math.round(Math.log10(Math.abs(tick) / linear));

@@ -3,21 +3,32 @@
 /** Rows of cells, as text. */
 export function parseCsv(text) {
   const rows = [];
-  let row = [], cell = "", quoted = false;
-  const endCell = () => { row.push(cell); cell = ""; };
-  const endRow = () => { endCell(); rows.push(row); row = []; };
+  let row = [],
+    cell = '',
+    quoted = false;
+  const endCell = () => {
+    row.push(cell);
+    cell = '';
+  };
+  const endRow = () => {
+    endCell();
+    rows.push(row);
+    row = [];
+  };
   for (let i = 0; i < text.length; ++i) {
     const c = text[i];
     if (quoted) {
       if (c !== '"') cell += c;
-      else if (text[i + 1] === '"') { cell += '"'; ++i; }
-      else quoted = false;
+      else if (text[i + 1] === '"') {
+        cell += '"';
+        ++i;
+      } else quoted = false;
     } else if (c === '"') quoted = true;
-    else if (c === ",") endCell();
-    else if (c === "\n") endRow();
-    else if (c !== "\r") cell += c;
+    else if (c === ',') endCell();
+    else if (c === '\n') endRow();
+    else if (c !== '\r') cell += c;
   }
-  if (quoted) throw new Error("the text ends within quotes");
-  if (cell !== "" || row.length > 0) endRow();
+  if (quoted) throw new Error('the text ends within quotes');
+  if (cell !== '' || row.length > 0) endRow();
   return rows;
 }

@@ -1,10 +1,16 @@
 // The list of measures: each with a mark per variant that says what the interval of its difference shows.
-import {element} from "../shared/elements.js";
-import {aboutOf, unitOf} from "./measures.js";
-import {directionOf} from "./numbers.js";
+import { element } from '../shared/elements.js';
+import { aboutOf, unitOf } from './measures.js';
+import { directionOf } from './numbers.js';
 
-const marks = {lower: "▼", higher: "▲", open: "·", equal: "=", unknown: "–"};
-const words = {lower: "lower", higher: "higher", open: "0 in the interval", equal: "equal", unknown: "no interval"};
+const marks = { lower: '▼', higher: '▲', open: '·', equal: '=', unknown: '–' };
+const words = {
+  lower: 'lower',
+  higher: 'higher',
+  open: '0 in the interval',
+  equal: 'equal',
+  unknown: 'no interval',
+};
 
 /** All measures of the campaign, in its order. */
 export function measuresOf(campaign) {
@@ -13,20 +19,43 @@ export function measuresOf(campaign) {
 
 function markOf(variant, measure, names) {
   const direction = directionOf(variant.measures[measure]?.versus_baseline);
-  return element("span", {class: `mark ${direction}`, title: `${names.get(variant.name)}: ${words[direction]}`,
-    role: "img", "aria-label": `${names.get(variant.name)}: ${words[direction]}`}, marks[direction]);
+  return element(
+    'span',
+    {
+      class: `mark ${direction}`,
+      title: `${names.get(variant.name)}: ${words[direction]}`,
+      role: 'img',
+      'aria-label': `${names.get(variant.name)}: ${words[direction]}`,
+    },
+    marks[direction],
+  );
 }
 
 /** Fills the list once; the function that it returns marks the chosen measure. */
 export function measureList(place, campaign, names, choose) {
-  const others = campaign.variants.filter(({name}) => name !== campaign.baseline);
-  const buttons = measuresOf(campaign).map((measure) => ({measure, button: element("button",
-    {type: "button", title: aboutOf(measure), onclick: () => choose(measure)},
-    element("span", {class: "name"}, measure, unitOf(measure) ? element("span", {class: "muted"}, ` ${unitOf(measure)}`) : []),
-    element("span", {class: "marks"}, others.map((variant) => markOf(variant, measure, names))))}));
-  place.replaceChildren(...buttons.map(({button}) => element("li", {}, button)));
-  return (chosen) => buttons.forEach(({measure, button}) => {
-    if (measure === chosen) button.setAttribute("aria-current", "true");
-    else button.removeAttribute("aria-current");
-  });
+  const others = campaign.variants.filter(({ name }) => name !== campaign.baseline);
+  const buttons = measuresOf(campaign).map((measure) => ({
+    measure,
+    button: element(
+      'button',
+      { type: 'button', title: aboutOf(measure), onclick: () => choose(measure) },
+      element(
+        'span',
+        { class: 'name' },
+        measure,
+        unitOf(measure) ? element('span', { class: 'muted' }, ` ${unitOf(measure)}`) : [],
+      ),
+      element(
+        'span',
+        { class: 'marks' },
+        others.map((variant) => markOf(variant, measure, names)),
+      ),
+    ),
+  }));
+  place.replaceChildren(...buttons.map(({ button }) => element('li', {}, button)));
+  return (chosen) =>
+    buttons.forEach(({ measure, button }) => {
+      if (measure === chosen) button.setAttribute('aria-current', 'true');
+      else button.removeAttribute('aria-current');
+    });
 }

@@ -1,28 +1,47 @@
 // What a strip plot shows of a measure: a row per variant with its dots, mean, interval and what is left out.
-import {percent, withInterval} from "./numbers.js";
-import {differencesOf, valuesOf} from "./paired.js";
+import { percent, withInterval } from './numbers.js';
+import { differencesOf, valuesOf } from './paired.js';
 
 function differenceRow(campaign, runs, variant, measure) {
   const comparison = variant.measures[measure]?.versus_baseline;
-  const {points, leftOut} = differencesOf(runs, variant.name, campaign.baseline, measure);
-  const text = comparison && comparison.pairs > 0
-    ? `${withInterval(comparison.difference, comparison.low, comparison.high)}, lower on ${percent(comparison.share_lower)}`
-    : "no pairs";
-  return {variant: variant.name, points, leftOut, text,
-    mean: comparison?.difference, low: comparison?.low, high: comparison?.high};
+  const { points, leftOut } = differencesOf(runs, variant.name, campaign.baseline, measure);
+  const text =
+    comparison && comparison.pairs > 0
+      ? `${withInterval(comparison.difference, comparison.low, comparison.high)}, lower on ${percent(comparison.share_lower)}`
+      : 'no pairs';
+  return {
+    variant: variant.name,
+    points,
+    leftOut,
+    text,
+    mean: comparison?.difference,
+    low: comparison?.low,
+    high: comparison?.high,
+  };
 }
 
 function valueRow(runs, variant, measure) {
   const statistics = variant.measures[measure];
-  const {points, leftOut} = valuesOf(runs, variant.name, measure);
-  return {variant: variant.name, points, leftOut, mean: statistics?.mean, low: statistics?.low, high: statistics?.high,
-    text: statistics && statistics.n > 0 ? withInterval(statistics.mean, statistics.low, statistics.high) : "no values"};
+  const { points, leftOut } = valuesOf(runs, variant.name, measure);
+  return {
+    variant: variant.name,
+    points,
+    leftOut,
+    mean: statistics?.mean,
+    low: statistics?.low,
+    high: statistics?.high,
+    text:
+      statistics && statistics.n > 0
+        ? withInterval(statistics.mean, statistics.low, statistics.high)
+        : 'no values',
+  };
 }
 
 /** Rows of differences from the baseline, or of values with the baseline among them. */
 export function rowsOf(campaign, runs, measure, asDifferences) {
   return asDifferences
-    ? campaign.variants.filter(({name}) => name !== campaign.baseline)
-      .map((variant) => differenceRow(campaign, runs, variant, measure))
+    ? campaign.variants
+        .filter(({ name }) => name !== campaign.baseline)
+        .map((variant) => differenceRow(campaign, runs, variant, measure))
     : campaign.variants.map((variant) => valueRow(runs, variant, measure));
 }

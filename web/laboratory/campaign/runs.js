@@ -1,31 +1,33 @@
 // The runs of a campaign, from runs.csv: one per variant and seed, with the value of each measure.
-import {parseCsv} from "./csv.js";
+import { parseCsv } from './csv.js';
 
-const described = ["variant", "seed", "status", "reason"];
+const described = ['variant', 'seed', 'status', 'reason'];
 
 /** [{variant, seed, status, reason, values: {measure: number}}]; a value that is not known is not there. */
 export function readRuns(text) {
   const [names, ...rows] = parseCsv(text);
   if (!names || described.some((name, i) => names[i] !== name))
-    throw new Error(`runs.csv does not begin with the columns ${described.join(", ")}`);
+    throw new Error(`runs.csv does not begin with the columns ${described.join(', ')}`);
   return rows.map((cells, i) => {
     if (cells.length !== names.length)
       throw new Error(`runs.csv, line ${i + 2}: ${cells.length} cells, the header has ${names.length}`);
     const values = {};
     for (let k = described.length; k < names.length; ++k) {
-      const value = cells[k].trim() === "" ? NaN : Number(cells[k]);
+      const value = cells[k].trim() === '' ? NaN : Number(cells[k]);
       if (Number.isFinite(value)) values[names[k]] = value;
     }
-    return {variant: cells[0], seed: Number(cells[1]), status: cells[2], reason: cells[3], values};
+    return { variant: cells[0], seed: Number(cells[1]), status: cells[2], reason: cells[3], values };
   });
 }
 
-export const isDone = (run) => run.status === "done";
+export const isDone = (run) => run.status === 'done';
 
 /** {base, below, limit} of `ate_m.below:0.1`; undefined for other measures. */
 export function limitOf(measure) {
   const [, base, word, number] = measure.match(/^(.+)\.(below|above):(.+)$/) ?? [];
-  return base && Number.isFinite(Number(number)) ? {base, below: word === "below", limit: Number(number)} : undefined;
+  return base && Number.isFinite(Number(number))
+    ? { base, below: word === 'below', limit: Number(number) }
+    : undefined;
 }
 
 /**
@@ -33,7 +35,7 @@ export function limitOf(measure) {
  * ended, all others are of runs that are done. Undefined where there is none.
  */
 export function valueOf(run, measure) {
-  if (measure === "failed") return isDone(run) ? 0 : 1;
+  if (measure === 'failed') return isDone(run) ? 0 : 1;
   const limit = limitOf(measure);
   if (!limit) return isDone(run) ? run.values[measure] : undefined;
   const value = isDone(run) ? run.values[limit.base] : undefined;

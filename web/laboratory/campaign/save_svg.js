@@ -1,7 +1,19 @@
 // Saves a plot as an SVG file that looks as on the page: the styles of the page become attributes of its elements.
 
-const properties = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray", "stroke-linejoin",
-  "stroke-linecap", "font-family", "font-size", "font-weight", "paint-order"];
+const properties = [
+  'fill',
+  'fill-opacity',
+  'stroke',
+  'stroke-width',
+  'stroke-opacity',
+  'stroke-dasharray',
+  'stroke-linejoin',
+  'stroke-linecap',
+  'font-family',
+  'font-size',
+  'font-weight',
+  'paint-order',
+];
 
 function inlineStyles(from, to) {
   const style = getComputedStyle(from);
@@ -9,7 +21,7 @@ function inlineStyles(from, to) {
     const value = style.getPropertyValue(property);
     if (value) to.setAttribute(property, value);
   }
-  to.removeAttribute("class");
+  to.removeAttribute('class');
   for (let i = 0; i < from.children.length; ++i) inlineStyles(from.children[i], to.children[i]);
 }
 
@@ -17,18 +29,18 @@ function inlineStyles(from, to) {
 export function svgText(node) {
   const copy = node.cloneNode(true);
   inlineStyles(node, copy);
-  copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
-  const ground = document.createElementNS("http://www.w3.org/2000/svg", "rect");
-  ground.setAttribute("width", "100%");
-  ground.setAttribute("height", "100%");
-  ground.setAttribute("fill", getComputedStyle(node).backgroundColor);
+  copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+  const ground = document.createElementNS('http://www.w3.org/2000/svg', 'rect');
+  ground.setAttribute('width', '100%');
+  ground.setAttribute('height', '100%');
+  ground.setAttribute('fill', getComputedStyle(node).backgroundColor);
   copy.prepend(ground);
-  return new XMLSerializer().serializeToString(copy) + "\n";
+  return new XMLSerializer().serializeToString(copy) + '\n';
 }
 
 export function saveSvg(node, fileName) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([svgText(node)], {type: "image/svg+xml"}));
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([svgText(node)], { type: 'image/svg+xml' }));
   link.download = fileName;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);

@@ -2,22 +2,26 @@
 
 export function filterOf(query) {
   const parameters = new URLSearchParams(query);
-  const words = (name) => (parameters.get(name) ?? "").split(",").filter(Boolean);
+  const words = (name) => (parameters.get(name) ?? '').split(',').filter(Boolean);
   return {
-    verdicts: words("verdict"),
-    chapters: words("chapter").map(Number).filter(Number.isInteger),
-    search: parameters.get("search") ?? "",
+    verdicts: words('verdict'),
+    chapters: words('chapter').map(Number).filter(Number.isInteger),
+    search: parameters.get('search') ?? '',
   };
 }
 
 /** The query with this filter, beginning with "?" or empty. */
-export function queryOf(filter, query = "") {
+export function queryOf(filter, query = '') {
   const parameters = new URLSearchParams(query);
-  const values = {verdict: filter.verdicts.join(","), chapter: filter.chapters.join(","), search: filter.search.trim()};
+  const values = {
+    verdict: filter.verdicts.join(','),
+    chapter: filter.chapters.join(','),
+    search: filter.search.trim(),
+  };
   for (const [name, value] of Object.entries(values)) {
     if (value) parameters.set(name, value);
     else parameters.delete(name);
   }
-  const text = parameters.toString().replaceAll("%2C", ",");
-  return text ? `?${text}` : "";
+  const text = parameters.toString().replaceAll('%2C', ',');
+  return text ? `?${text}` : '';
 }

@@ -1,5 +1,5 @@
 // The ledger as the page works with it: claims with their chapters and a text to search in, and the filter on them.
-import {folded, matches, termsOf} from "./search.js";
+import { folded, matches, termsOf } from './search.js';
 
 /** The chapters that a place in the thesis names ("(3.8), Example 3.1" is in 3), else those of the example's id. */
 export function chaptersOf(place, exampleId) {
@@ -16,39 +16,52 @@ export function chaptersOf(place, exampleId) {
 
 /** claims.json as entries whose claims know their chapters and what is searched in. */
 export function readLedger(document) {
-  if (!Array.isArray(document)) throw new Error("claims.json is not a list of examples");
+  if (!Array.isArray(document)) throw new Error('claims.json is not a list of examples');
   return document.map((entry) => ({
     ...entry,
     figures: entry.figures ?? [],
     claims: (entry.claims ?? []).map((claim) => ({
       ...claim,
       chapters: chaptersOf(claim.place, entry.id),
-      searched: folded([claim.id, claim.place, claim.statement, claim.printed, claim.measured, claim.why, entry.id,
-        entry.title].join("\n")),
+      searched: folded(
+        [
+          claim.id,
+          claim.place,
+          claim.statement,
+          claim.printed,
+          claim.measured,
+          claim.why,
+          entry.id,
+          entry.title,
+        ].join('\n'),
+      ),
     })),
   }));
 }
 
-export const noFilter = {verdicts: [], chapters: [], search: ""};
+export const noFilter = { verdicts: [], chapters: [], search: '' };
 
 /** Whether the claim passes the filter; an empty list of verdicts or chapters lets all pass. */
 export function passes(claim, filter, terms = termsOf(filter.search)) {
-  return (filter.verdicts.length === 0 || filter.verdicts.includes(claim.verdict)) &&
+  return (
+    (filter.verdicts.length === 0 || filter.verdicts.includes(claim.verdict)) &&
     (filter.chapters.length === 0 || claim.chapters.some((chapter) => filter.chapters.includes(chapter))) &&
-    matches(claim.searched, terms);
+    matches(claim.searched, terms)
+  );
 }
 
 /** The entries with the claims that pass. Entries without any are left out; unfiltered, all stay. */
 export function filtered(entries, filter) {
   const terms = termsOf(filter.search);
   const all = terms.length + filter.verdicts.length + filter.chapters.length === 0;
-  return entries.map((entry) => ({...entry, claims: entry.claims.filter((claim) => passes(claim, filter, terms))}))
+  return entries
+    .map((entry) => ({ ...entry, claims: entry.claims.filter((claim) => passes(claim, filter, terms)) }))
     .filter((entry) => all || entry.claims.length > 0);
 }
 
 /** What the buttons count: each verdict among the claims that pass the rest of the filter. */
 export function claimsForCounts(entries, filter) {
-  return filtered(entries, {...filter, verdicts: []}).flatMap((entry) => entry.claims);
+  return filtered(entries, { ...filter, verdicts: [] }).flatMap((entry) => entry.claims);
 }
 
 export function allChapters(entries) {

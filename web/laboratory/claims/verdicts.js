@@ -1,17 +1,20 @@
 // The four verdicts of a claim: word, symbol and what the reason after it is called.
 
 export const verdicts = [
-  {id: "holds", words: "holds", reason: "Remark"},
-  {id: "holds-as-corrected", words: "holds as corrected", reason: "Correction"},
-  {id: "does-not-hold", words: "does not hold", reason: "Why not"},
-  {id: "undecided", words: "undecided", reason: "Why undecided"},
+  { id: 'holds', words: 'holds', reason: 'Remark' },
+  { id: 'holds-as-corrected', words: 'holds as corrected', reason: 'Correction' },
+  { id: 'does-not-hold', words: 'does not hold', reason: 'Why not' },
+  { id: 'undecided', words: 'undecided', reason: 'Why undecided' },
 ];
 
 export function verdictOf(id) {
-  return verdicts.find((verdict) => verdict.id === id) ?? {id: "unknown", words: id, reason: "Why"};
+  return verdicts.find((verdict) => verdict.id === id) ?? { id: 'unknown', words: id, reason: 'Why' };
 }
 
 /** How many of these claims have each verdict, in the order of `verdicts`: [{verdict, count}]. */
 export function countVerdicts(claims) {
-  return verdicts.map((verdict) => ({verdict, count: claims.filter((claim) => claim.verdict === verdict.id).length}));
+  return verdicts.map((verdict) => ({
+    verdict,
+    count: claims.filter((claim) => claim.verdict === verdict.id).length,
+  }));
 }

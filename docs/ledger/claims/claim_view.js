@@ -5,19 +5,26 @@ import { partsOf } from './parts.js';
 import { highlighted } from './search.js';
 import { verdictSymbol } from './verdict_symbol.js';
 import { verdictOf } from './verdicts.js';
+/** @typedef {import('../shared/elements.js').Child} Child */
+/** @typedef {import('../shared/elements.js').Item} Item */
+/** @typedef {import('./types.js').Claim} Claim */
+/** @typedef {import('./types.js').ClaimFigures} ClaimFigures */
+/** @typedef {import('./types.js').Entry} Entry */
 
 const partsAtOnce = 8; // more than these are unfolded on request
 
+/** @param {string} text @param {string[]} terms @returns {Item[]} */
 function marked(text, terms) {
   return highlighted(text, terms).map(({ text: piece, found }) =>
     found ? element('mark', {}, piece) : piece,
   );
 }
 
+/** @param {string} text @param {string[]} terms @returns {Child} */
 function measuredValue(text, terms) {
   const parts = partsOf(text);
   if (parts.length < 3) return marked(text, terms);
-  const list = (some) =>
+  const list = (/** @type {string[]} */ some) =>
     element(
       'ul',
       { class: 'parts' },
@@ -35,22 +42,30 @@ function measuredValue(text, terms) {
   ];
 }
 
-/** "20 runs"; with the number that a verdict needs if there are fewer. Empty where it is not known. */
-function runsOf(claim) {
-  if (!claim.runs) return '';
-  const needed = claim.least_runs > claim.runs ? ` of ${claim.least_runs} needed` : '';
-  return `${claim.runs} ${claim.runs === 1 ? 'run' : 'runs'}${needed}`;
+/**
+ * "20 runs"; with the number that a verdict needs if there are fewer. Empty where it is not known.
+ * @param {Claim} claim @returns {string}
+ */
+function runsOf({ runs, least_runs: least = 1 }) {
+  if (!runs) return '';
+  const needed = least > runs ? ` of ${least} needed` : '';
+  return `${runs} ${runs === 1 ? 'run' : 'runs'}${needed}`;
 }
 
+/** @param {string} label @param {Child} value @param {string} [kind] class @returns {Item[]} */
 function row(label, value, kind = '') {
   return [element('dt', {}, label), element('dd', { class: kind }, value)];
 }
 
+/**
+ * @param {Claim} claim @param {ClaimFigures} figures @param {Entry} entry @param {string[]} terms
+ * @returns {HTMLElement}
+ */
 export function claimView(claim, figures, entry, terms) {
   const verdict = verdictOf(claim.verdict);
   const runs = runsOf(claim);
-  const present = figures.shown.filter((figure) => figure.file),
-    absent = figures.shown.filter((figure) => !figure.file);
+  const present = figures.shown.filter((figure) => figure.file);
+  const absent = figures.shown.filter((figure) => !figure.file);
   return element(
     'article',
     { id: claim.id, class: `claim verdict-${verdict.id}`, tabindex: '-1', 'aria-label': claim.place },

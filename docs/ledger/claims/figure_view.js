@@ -1,8 +1,12 @@
 // A figure beside its claim, and the same large in a dialog.
-import { element } from '../shared/elements.js';
+import { byId, element } from '../shared/elements.js';
 import { fileAddress } from '../shared/files.js';
 import { titleOf } from './figures.js';
+/** @typedef {import('../shared/elements.js').Item} Item */
+/** @typedef {import('./types.js').Entry} Entry */
+/** @typedef {import('./types.js').Figure} Figure */
 
+/** @param {Figure} figure @returns {HTMLElement} */
 function links(figure) {
   return element(
     'span',
@@ -14,9 +18,12 @@ function links(figure) {
   );
 }
 
-/** Opens the figure in the page's dialog; Escape closes it, and the focus returns to where it was. */
+/**
+ * Opens the figure in the page's dialog; Escape closes it, and the focus returns to where it was.
+ * @param {Figure} figure @param {string} exampleTitle
+ */
 export function openFigure(figure, exampleTitle) {
-  const dialog = document.getElementById('figure-dialog');
+  const dialog = byId('figure-dialog', HTMLDialogElement);
   dialog.replaceChildren(
     element(
       'header',
@@ -39,7 +46,10 @@ export function openFigure(figure, exampleTitle) {
   dialog.showModal();
 }
 
-/** What stands in place of a figure whose file is not there. */
+/**
+ * What stands in place of a figure whose file is not there.
+ * @param {Figure} figure @param {Entry} entry @returns {HTMLElement}
+ */
 export function absentFigure(figure, entry) {
   return element(
     'p',
@@ -50,9 +60,11 @@ export function absentFigure(figure, entry) {
   );
 }
 
+/** @param {Figure} figure @param {Entry} entry @returns {HTMLElement} */
 export function figureView(figure, entry) {
   if (!figure.file) return absentFigure(figure, entry);
   const open = () => openFigure(figure, entry.title);
+  /** @type {HTMLElement} */
   const view = element(
     'figure',
     {},
@@ -71,9 +83,12 @@ export function figureView(figure, entry) {
   return view;
 }
 
-/** A button that opens a figure which stands beside another claim. */
+/**
+ * A button that opens a figure which stands beside another claim.
+ * @param {Figure} figure @param {Entry} entry @returns {Item} '' if its file is not there
+ */
 export function figureMention(figure, entry) {
-  if (!figure.file) return [];
+  if (!figure.file) return '';
   return element(
     'button',
     { type: 'button', class: 'mention', onclick: () => openFigure(figure, entry.title) },

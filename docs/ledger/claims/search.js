@@ -1,6 +1,10 @@
 // Full-text search: all words of the query must occur; "several words" in quotes must occur as they are.
 
-/** Lower case without accents, of the same length as the text, so that positions in it are positions in the text. */
+/**
+ * Lower case without accents, of the same length as the text, so that positions in it are positions in the
+ * text.
+ * @param {string} text @returns {string}
+ */
 export function folded(text) {
   return Array.from(text, (letter) => {
     const base = letter
@@ -11,8 +15,12 @@ export function folded(text) {
   }).join('');
 }
 
-/** The words and quoted phrases of a query, folded, without duplicates. */
+/**
+ * The words and quoted phrases of a query, folded, without duplicates.
+ * @param {string} query @returns {string[]}
+ */
 export function termsOf(query) {
+  /** @type {string[]} */
   const terms = [];
   for (const [, phrase, word] of folded(query).matchAll(/"([^"]*)"?|([^\s"]+)/g)) {
     const term = (phrase ?? word).trim().replace(/\s+/g, ' ');
@@ -21,14 +29,19 @@ export function termsOf(query) {
   return terms;
 }
 
-/** Whether every term occurs in the folded text. */
+/** Whether every term occurs in the folded text. @param {string} foldedText @param {string[]} terms */
 export function matches(foldedText, terms) {
   return terms.every((term) => foldedText.includes(term));
 }
 
-/** The text in pieces: [{text, found}], where `found` marks occurrences of a term; overlapping ones are one piece. */
+/**
+ * The text in pieces, where `found` marks occurrences of a term; overlapping ones are one piece.
+ * @param {string} text @param {string[]} terms
+ * @returns {{text: string, found: boolean}[]}
+ */
 export function highlighted(text, terms) {
   const haystack = folded(text);
+  /** @type {[number, number][]} */
   const covered = [];
   for (const term of terms)
     for (let at = haystack.indexOf(term); at >= 0; at = haystack.indexOf(term, at + 1))

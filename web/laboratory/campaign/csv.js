@@ -1,11 +1,13 @@
 // Comma-separated values, quoted as in RFC 4180.
 
-/** Rows of cells, as text. */
+/** @param {string} text @returns {string[][]} rows of cells */
 export function parseCsv(text) {
+  /** @type {string[][]} */
   const rows = [];
-  let row = [],
-    cell = '',
-    quoted = false;
+  /** @type {string[]} */
+  let row = [];
+  let cell = '';
+  let quoted = false;
   const endCell = () => {
     row.push(cell);
     cell = '';

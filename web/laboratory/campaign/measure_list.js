@@ -2,8 +2,14 @@
 import { element } from '../shared/elements.js';
 import { aboutOf, unitOf } from './measures.js';
 import { directionOf } from './numbers.js';
+/** @typedef {import('./types.js').Campaign} Campaign */
+/** @typedef {import('./types.js').Direction} Direction */
+/** @typedef {import('./types.js').ShortNames} ShortNames */
+/** @typedef {import('./types.js').Variant} Variant */
 
+/** @type {Record<Direction, string>} */
 const marks = { lower: '▼', higher: '▲', open: '·', equal: '=', unknown: '–' };
+/** @type {Record<Direction, string>} */
 const words = {
   lower: 'lower',
   higher: 'higher',
@@ -12,11 +18,12 @@ const words = {
   unknown: 'no interval',
 };
 
-/** All measures of the campaign, in its order. */
+/** All measures of the campaign, in its order. @param {Campaign} campaign @returns {string[]} */
 export function measuresOf(campaign) {
   return [...new Set(campaign.variants.flatMap((variant) => Object.keys(variant.measures)))];
 }
 
+/** @param {Variant} variant @param {string} measure @param {ShortNames} names @returns {HTMLElement} */
 function markOf(variant, measure, names) {
   const direction = directionOf(variant.measures[measure]?.versus_baseline);
   return element(
@@ -31,7 +38,12 @@ function markOf(variant, measure, names) {
   );
 }
 
-/** Fills the list once; the function that it returns marks the chosen measure. */
+/**
+ * Fills the list, once.
+ * @param {HTMLElement} place @param {Campaign} campaign @param {ShortNames} names
+ * @param {(measure: string) => void} choose
+ * @returns {(chosen: string) => void} marks the chosen measure
+ */
 export function measureList(place, campaign, names, choose) {
   const others = campaign.variants.filter(({ name }) => name !== campaign.baseline);
   const buttons = measuresOf(campaign).map((measure) => ({

@@ -1,6 +1,9 @@
 // What the measures of a campaign mean: their unit and a few words, by their names as in summary.json.
 import { limitOf } from './runs.js';
+/** @typedef {import('./types.js').ShortNames} ShortNames */
+/** @typedef {import('./types.js').Variant} Variant */
 
+/** @type {Partial<Record<string, string>>} */
 const words = {
   failed: 'share of runs that failed',
   ate_m: 'rms position error',
@@ -23,6 +26,7 @@ const words = {
   'exploration.t_14_located_s': 'time until 14 landmarks were located',
   'consistency.outlier_share': 'share of measurements that are outliers',
 };
+/** @type {[RegExp, string][]} */
 const ends = [
   [/(^|[._])entropy(_|$)/, 'nats'],
   [/_percent$/, '%'],
@@ -35,7 +39,7 @@ const ends = [
   [/_poses$/, 'poses'],
 ];
 
-/** The unit of a measure; "" for ratios and counts without one. */
+/** The unit of a measure; "" for ratios and counts without one. @param {string} measure @returns {string} */
 export function unitOf(measure) {
   if (measure === 'failed' || limitOf(measure)) return 'share of runs';
   const parts = measure.split('.').filter((part) => !/^(median|p95|p99|\d+)$/.test(part));
@@ -44,7 +48,7 @@ export function unitOf(measure) {
   return ends.find(([end]) => end.test(last))?.[1] ?? '';
 }
 
-/** A few words for people; "" where the name says it. */
+/** A few words for people; "" where the name says it. @param {string} measure @returns {string} */
 export function aboutOf(measure) {
   const limit = limitOf(measure);
   if (limit)
@@ -54,15 +58,19 @@ export function aboutOf(measure) {
   return words[measure] ?? '';
 }
 
-/** "ate_m (m)": the label of an axis. */
+/** "ate_m (m)": the label of an axis. @param {string} measure @returns {string} */
 export function labelOf(measure) {
   const unit = unitOf(measure);
   return unit ? `${measure} (${unit})` : measure;
 }
 
-/** Variants by what varies between them, as short as they remain distinct: "strategy=random" for "decision.strategy=random". */
+/**
+ * Variants by what varies between them, as short as they remain distinct: "strategy=random" for
+ * "decision.strategy=random".
+ * @param {Pick<Variant, 'name'>[]} variants @returns {ShortNames}
+ */
 export function shortNames(variants) {
-  const short = (name) =>
+  const short = (/** @type {string} */ name) =>
     name
       .split(' ')
       .map((word) => word.replace(/^[^=\s]*\.([^.=\s]+=)/, '$1'))

@@ -1,9 +1,10 @@
 // The runs of a campaign, from runs.csv: one per variant and seed, with the value of each measure.
 import { parseCsv } from './csv.js';
+/** @typedef {import('./types.js').Run} Run */
 
 const described = ['variant', 'seed', 'status', 'reason'];
 
-/** [{variant, seed, status, reason, values: {measure: number}}]; a value that is not known is not there. */
+/** @param {string} text of runs.csv @returns {Run[]} a value that is not known is not there */
 export function readRuns(text) {
   const [names, ...rows] = parseCsv(text);
   if (!names || described.some((name, i) => names[i] !== name))
@@ -11,6 +12,7 @@ export function readRuns(text) {
   return rows.map((cells, i) => {
     if (cells.length !== names.length)
       throw new Error(`runs.csv, line ${i + 2}: ${cells.length} cells, the header has ${names.length}`);
+    /** @type {Run['values']} */
     const values = {};
     for (let k = described.length; k < names.length; ++k) {
       const value = cells[k].trim() === '' ? NaN : Number(cells[k]);
@@ -20,9 +22,14 @@ export function readRuns(text) {
   });
 }
 
+/** @param {Run} run @returns {boolean} */
 export const isDone = (run) => run.status === 'done';
 
-/** {base, below, limit} of `ate_m.below:0.1`; undefined for other measures. */
+/**
+ * The parts of `ate_m.below:0.1`; undefined for other measures.
+ * @param {string} measure
+ * @returns {{base: string, below: boolean, limit: number} | undefined}
+ */
 export function limitOf(measure) {
   const [, base, word, number] = measure.match(/^(.+)\.(below|above):(.+)$/) ?? [];
   return base && Number.isFinite(Number(number))
@@ -31,8 +38,9 @@ export function limitOf(measure) {
 }
 
 /**
- * The value of a measure in a run as docs/campaigns.md defines it: `failed` and limits are 1 or 0 in every run that
- * ended, all others are of runs that are done. Undefined where there is none.
+ * The value of a measure in a run as docs/campaigns.md defines it: `failed` and limits are 1 or 0 in every
+ * run that ended, all others are of runs that are done. Undefined where there is none.
+ * @param {Run} run @param {string} measure @returns {number | undefined}
  */
 export function valueOf(run, measure) {
   if (measure === 'failed') return isDone(run) ? 0 : 1;

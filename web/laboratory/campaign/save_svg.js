@@ -1,4 +1,5 @@
-// Saves a plot as an SVG file that looks as on the page: the styles of the page become attributes of its elements.
+// Saves a plot as an SVG file that looks as on the page: the styles of the page become attributes of its
+// elements.
 
 const properties = [
   'fill',
@@ -15,6 +16,7 @@ const properties = [
   'paint-order',
 ];
 
+/** @param {Element} from @param {Element} to a copy of it */
 function inlineStyles(from, to) {
   const style = getComputedStyle(from);
   for (const property of properties) {
@@ -25,9 +27,12 @@ function inlineStyles(from, to) {
   for (let i = 0; i < from.children.length; ++i) inlineStyles(from.children[i], to.children[i]);
 }
 
-/** The plot as the text of a file of its own, on the color of the page's surface. */
+/**
+ * The plot as the text of a file of its own, on the color of the page's surface.
+ * @param {SVGSVGElement} node @returns {string}
+ */
 export function svgText(node) {
-  const copy = node.cloneNode(true);
+  const copy = /** @type {SVGSVGElement} */ (node.cloneNode(true));
   inlineStyles(node, copy);
   copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
   const ground = document.createElementNS('http://www.w3.org/2000/svg', 'rect');
@@ -38,6 +43,7 @@ export function svgText(node) {
   return new XMLSerializer().serializeToString(copy) + '\n';
 }
 
+/** @param {SVGSVGElement} node @param {string} fileName */
 export function saveSvg(node, fileName) {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([svgText(node)], { type: 'image/svg+xml' }));

@@ -1,8 +1,16 @@
 // The tables of a measure: one row per variant with its statistics, and one row per seed with its values.
 import { element } from '../shared/elements.js';
-import { directionOf, percent, shown } from './numbers.js';
+import { directionOf, isKnown, percent, shown } from './numbers.js';
 import { valuesOf } from './paired.js';
+/** @typedef {import('../shared/elements.js').Child} Child */
+/** @typedef {import('../shared/elements.js').Item} Item */
+/** @typedef {import('./types.js').Campaign} Campaign */
+/** @typedef {import('./types.js').Direction} Direction */
+/** @typedef {import('./types.js').Run} Run */
+/** @typedef {import('./types.js').ShortNames} ShortNames */
+/** @typedef {import('./types.js').Value} Value */
 
+/** @type {Record<Direction, string>} */
 const verdict = {
   lower: '▼ lower',
   higher: '▲ higher',
@@ -11,15 +19,20 @@ const verdict = {
   unknown: '',
 };
 
+/** @param {Value} value @param {Value} low @param {Value} high @returns {Item[]} */
 function withInterval(value, low, high) {
-  const known = Number.isFinite(low) && Number.isFinite(high);
+  const known = isKnown(low) && isKnown(high);
   return [
     shown(value),
-    known ? element('span', { class: 'interval' }, `${shown(low)} to ${shown(high)}`) : [],
+    known ? element('span', { class: 'interval' }, `${shown(low)} to ${shown(high)}`) : '',
   ];
 }
 
-/** Cells carry their column's name, which stands before them where the table is too wide for the screen. */
+/**
+ * Cells carry their column's name, which stands before them where the table is too wide for the screen.
+ * @param {string} caption @param {string[]} columns @param {Child[][]} rows
+ * @returns {HTMLTableElement}
+ */
 function table(caption, columns, rows) {
   return element(
     'table',
@@ -52,6 +65,10 @@ function table(caption, columns, rows) {
   );
 }
 
+/**
+ * @param {Campaign} campaign @param {string} measure @param {ShortNames} names
+ * @returns {HTMLTableElement}
+ */
 export function variantTable(campaign, measure, names) {
   const level = `${Math.round(100 * campaign.confidence)}\u202f%`;
   const columns = [
@@ -92,9 +109,14 @@ export function variantTable(campaign, measure, names) {
   );
 }
 
+/**
+ * @param {Campaign} campaign @param {Run[]} runs @param {string} measure @param {ShortNames} names
+ * @returns {HTMLTableElement}
+ */
 export function seedTable(campaign, runs, measure, names) {
   const ofVariants = campaign.variants.map(({ name }) => {
     const { points, leftOut } = valuesOf(runs, name, measure);
+    /** @type {Map<number, Item>} */
     const cells = new Map(points.map(({ seed, x }) => [seed, shown(x)]));
     leftOut.forEach(({ seed, why }) =>
       cells.set(
@@ -106,12 +128,15 @@ export function seedTable(campaign, runs, measure, names) {
   });
   return table(
     `${measure}, by seed`,
-    ['seed', ...campaign.variants.map(({ name }) => names.get(name))],
+    ['seed', ...campaign.variants.map(({ name }) => names.get(name) ?? name)],
     campaign.seeds.map((seed) => [String(seed), ...ofVariants.map((cells) => cells.get(seed) ?? 'not run')]),
   );
 }
 
-/** Failed and missing runs in words; empty if there are none. */
+/**
+ * Failed and missing runs in words.
+ * @param {Campaign} campaign @param {ShortNames} names @returns {HTMLElement}
+ */
 export function failures(campaign, names) {
   const items = campaign.variants.flatMap((variant) => [
     ...variant.failures.map(({ seed, reason }) =>
@@ -126,5 +151,5 @@ export function failures(campaign, names) {
       ? [element('li', {}, `${names.get(variant.name)}: ${variant.missing} runs have not ended yet`)]
       : []),
   ]);
-  return items.length ? element('ul', {}, items) : [];
+  return element('ul', {}, items);
 }

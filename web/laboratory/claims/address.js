@@ -1,8 +1,11 @@
-// The filter in the page's address, so that a filtered page can be linked to. Other parameters stay as they are.
+// The filter in the page's address, so that a filtered page can be linked to. Other parameters stay as they
+// are.
+/** @typedef {import('./types.js').Filter} Filter */
 
+/** @param {string} query @returns {Filter} */
 export function filterOf(query) {
   const parameters = new URLSearchParams(query);
-  const words = (name) => (parameters.get(name) ?? '').split(',').filter(Boolean);
+  const words = (/** @type {string} */ name) => (parameters.get(name) ?? '').split(',').filter(Boolean);
   return {
     verdicts: words('verdict'),
     chapters: words('chapter').map(Number).filter(Number.isInteger),
@@ -10,7 +13,10 @@ export function filterOf(query) {
   };
 }
 
-/** The query with this filter, beginning with "?" or empty. */
+/**
+ * The query with this filter, beginning with "?" or empty.
+ * @param {Filter} filter @param {string} [query] @returns {string}
+ */
 export function queryOf(filter, query = '') {
   const parameters = new URLSearchParams(query);
   const values = {

@@ -1,5 +1,5 @@
 // The page of the claims ledger: loads claims.json, and shows what passes the filter.
-import { element } from '../shared/elements.js';
+import { byId, element } from '../shared/elements.js';
 import { loadJson } from '../shared/files.js';
 import { showProblem } from '../shared/problem.js';
 import { filterOf, queryOf } from './address.js';
@@ -7,11 +7,14 @@ import { chapterButtons, contents, verdictButtons } from './controls.js';
 import { entryView } from './entry_view.js';
 import { allChapters, claimsForCounts, filtered, noFilter, readLedger } from './ledger.js';
 import { termsOf } from './search.js';
-
-const byId = (id) => document.getElementById(id);
+/** @typedef {import('./types.js').Entry} Entry */
+/** @typedef {import('./types.js').Filter} Filter */
+/** @typedef {import('./types.js').IndexedClaim} IndexedClaim */
 
 let filter = filterOf(location.search);
+/** @type {Entry[]} */
 let entries = [];
+/** @type {((claims: IndexedClaim[]) => void)[]} the buttons */
 let updates = [];
 
 function show() {
@@ -24,7 +27,7 @@ function show() {
   contents(byId('contents'), shown);
   const totals = new Map(entries.map((entry) => [entry.id, entry.claims.length]));
   const terms = termsOf(filter.search);
-  byId('ledger').replaceChildren(...shown.map((entry) => entryView(entry, totals.get(entry.id), terms)));
+  byId('ledger').replaceChildren(...shown.map((entry) => entryView(entry, totals.get(entry.id) ?? 0, terms)));
   if (shown.length === 0)
     byId('ledger').append(
       element(
@@ -35,6 +38,7 @@ function show() {
     );
 }
 
+/** @param {Partial<Filter>} part */
 function change(part) {
   filter = { ...filter, ...part };
   history.replaceState(null, '', (queryOf(filter, location.search) || location.pathname) + location.hash);
@@ -50,42 +54,40 @@ function goToHash() {
     return;
   }
   if (!id) return;
-  if (!byId(id) && entries.some((entry) => entry.claims.some((claim) => claim.id === id))) {
-    byId('search').value = '';
+  if (
+    !document.getElementById(id) &&
+    entries.some((entry) => entry.claims.some((claim) => claim.id === id))
+  ) {
+    byId('search', HTMLInputElement).value = '';
     change(noFilter);
   }
-  const target = byId(id);
+  const target = document.getElementById(id);
   target?.scrollIntoView();
   if (target?.matches('.claim, .entry')) target.focus({ preventScroll: true });
 }
 
 function connectControls() {
-  const search = byId('search');
+  const search = byId('search', HTMLInputElement);
   search.value = filter.search;
   search.addEventListener('input', () => change({ search: search.value }));
-  search.form.addEventListener('submit', (event) => event.preventDefault());
+  search.form?.addEventListener('submit', (event) => event.preventDefault());
   byId('clear').addEventListener('click', () => {
     search.value = '';
     change(noFilter);
     search.focus();
   });
   document.addEventListener('keydown', (event) => {
-    if (
-      event.key !== '/' ||
-      event.ctrlKey ||
-      event.metaKey ||
-      event.altKey ||
-      event.target.matches('input, textarea')
-    )
-      return;
+    if (event.key !== '/' || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target instanceof Element && event.target.matches('input, textarea')) return;
     event.preventDefault();
     search.focus();
   });
-  const dialog = byId('figure-dialog');
+  const dialog = byId('figure-dialog', HTMLDialogElement);
   dialog.addEventListener('click', (event) => event.target === dialog && dialog.close());
-  byId('contents-fold').open = matchMedia('(min-width: 900px)').matches;
+  const fold = byId('contents-fold', HTMLDetailsElement);
+  fold.open = matchMedia('(min-width: 900px)').matches;
   byId('contents').addEventListener('click', () => {
-    if (!matchMedia('(min-width: 900px)').matches) byId('contents-fold').open = false;
+    if (!matchMedia('(min-width: 900px)').matches) fold.open = false;
   });
   updates = [
     verdictButtons(byId('verdicts'), () => filter, change),

@@ -5,17 +5,26 @@ import { figureView } from './figure_view.js';
 import { placeFigures } from './figures.js';
 import { proportions } from './proportions.js';
 import { countVerdicts } from './verdicts.js';
+/** @typedef {import('./types.js').Entry} Entry */
 
-/** The address of an example on the page. */
+/** The address of an example on the page. @param {Entry} entry @returns {string} */
 export const anchorOf = (entry) => `example-${entry.id}`;
 
-/** "Example 3.5", but "Section 6.3.2"; entries with a word for an id have only their title. */
+/**
+ * "Example 3.5", but "Section 6.3.2"; entries with a word for an id have only their title.
+ * @param {Entry} entry @returns {string}
+ */
 export function labelOf(entry) {
   if (/^[345]\.\d+$/.test(entry.id)) return `Example ${entry.id}`;
   return /^\d/.test(entry.id) ? `Section ${entry.id}` : '';
 }
 
-/** `total`: how many claims the entry has without the filter. */
+/**
+ * @param {Entry} entry with the claims that pass the filter
+ * @param {number} total how many claims it has without the filter
+ * @param {string[]} terms
+ * @returns {HTMLElement}
+ */
 export function entryView(entry, total, terms) {
   const { ofClaims, rest } = placeFigures(entry.claims, entry.figures);
   const label = labelOf(entry);

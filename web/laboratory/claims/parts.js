@@ -1,10 +1,13 @@
 // Breaks a long result into its parts, so that it can be read as a list.
 
-/** The text at its semicolons outside parentheses: "a (b; c); d" has two parts. */
+/**
+ * The text at its semicolons outside parentheses: "a (b; c); d" has two parts.
+ * @param {string} text @returns {string[]}
+ */
 export function partsOf(text) {
   const parts = [];
-  let depth = 0,
-    start = 0;
+  let depth = 0;
+  let start = 0;
   for (let i = 0; i < text.length; ++i) {
     if (text[i] === '(') ++depth;
     else if (text[i] === ')') depth = Math.max(0, depth - 1);

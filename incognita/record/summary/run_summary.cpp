@@ -179,7 +179,7 @@ void RunSummary::add(const Snapshot& snapshot) {
   if (alignment_ == AlignmentKind::none) distances_.add(snapshot);
   for (const auto& [stage, ms] : snapshot.timing_ms) {
     auto found =
-        std::find_if(stage_ms_.begin(), stage_ms_.end(), [&](const auto& s) { return s.first == stage; });
+        std::find_if(stage_ms_.begin(), stage_ms_.end(), [&stage = stage](const auto& s) { return s.first == stage; });
     if (found == stage_ms_.end()) found = stage_ms_.insert(found, {stage, {}});
     found->second.push_back(ms);
   }

@@ -73,7 +73,7 @@ export class CameraView {
     context.imageSmoothingEnabled = false;
     if (this.#bitmap) context.drawImage(this.#bitmap, 0, 0, width, height);
     const snapshot = this.#snapshotOfImage();
-    const matches = imageMatches(snapshot);
+    const matches = cameraMatches(snapshot);
     if (this.options.overlay) {
       drawMatches(context, matches, {
         scale: width / camera.width,
@@ -93,7 +93,7 @@ export class CameraView {
 
   /** @param {Snapshot | null} snapshot */
   #note(snapshot) {
-    if (withoutImages(this.run.info)) return 'no images in this scenario';
+    if (withoutImages(this.run.info)) return 'no images';
     if (!this.#bitmap) return this.#bitmapFrame < 0 ? 'no image yet' : `no image of frame ${this.#bitmapFrame}`;
     if (!snapshot || snapshot.frame === this.#bitmapFrame) return `frame ${this.#bitmapFrame}`;
     return `image of frame ${this.#bitmapFrame}, matches of frame ${snapshot.frame}`;
@@ -110,10 +110,15 @@ function withoutImages(info) {
   return disturbances.length > 0 && !disturbances.includes('cover-lens');
 }
 
-/** Matches in the first camera that has any: the program sends one image per frame.
- * @param {Snapshot | null} snapshot @returns {Match[]} */
-function imageMatches(snapshot) {
-  const all = (snapshot?.matches ?? []).filter((match) => match.image);
+/**
+ * Matches in the first camera that has any: the program sends one image per frame. Simulated cameras measure
+ * image positions without images.
+ * @param {Snapshot | null} snapshot @returns {Match[]}
+ */
+function cameraMatches(snapshot) {
+  const ofLandmarks = (snapshot?.matches ?? []).filter((match) => match.kind !== 'body');
+  const inImages = ofLandmarks.filter((match) => match.image);
+  const all = inImages.length > 0 ? inImages : ofLandmarks;
   return all.filter((match) => match.body === all[0].body && match.sensor === all[0].sensor);
 }
 

@@ -3,6 +3,8 @@ import { button, element, labeled } from './dom.js';
 /** @typedef {import('../state/session.js').Session} Session */
 /** @typedef {import('../state/types.js').Info} Info */
 
+const AXES = ['x', 'y', 'z'];
+
 /** @param {Info} info @param {Session} session @returns {HTMLElement} */
 export function disturbanceControls(info, session) {
   const bodies = bodySelect(info.bodies);
@@ -66,13 +68,13 @@ function oneNumber(session, words, unit, value, intervention) {
 
 /** @param {Session} session @param {() => number} body */
 function displacement(session, body) {
-  const by = ['x', 'y', 'z'].map((axis) => number(`displacement along ${axis}, m`, axis === 'x' ? 0.2 : 0));
+  const by = AXES.map((axis) => number(`displacement along ${axis}, m`, axis === 'x' ? 0.2 : 0));
   const turn = number('turn about z, rad', 0);
   return element(
     'div',
     { class: 'row wide' },
-    element('span', {}, 'displace'),
-    ...by,
+    element('span', {}, 'displace, world frame'),
+    ...by.map((input, k) => labeled(AXES[k], input)),
     element('span', { class: 'unit' }, 'm, turn'),
     turn,
     element('span', { class: 'unit' }, 'rad'),
@@ -89,15 +91,15 @@ function displacement(session, body) {
 
 /** @param {Session} session @param {() => number} body */
 function push(session, body) {
-  const velocity = ['x', 'y', 'z'].map((axis) =>
+  const velocity = AXES.map((axis) =>
     number(`velocity along ${axis}, m/s`, axis === 'x' ? 0.5 : 0),
   );
   const duration = number('duration, s', 0.5, 0);
   return element(
     'div',
     { class: 'row wide' },
-    element('span', {}, 'push'),
-    ...velocity,
+    element('span', {}, 'push, world frame'),
+    ...velocity.map((input, k) => labeled(AXES[k], input)),
     element('span', { class: 'unit' }, 'm/s for'),
     duration,
     element('span', { class: 'unit' }, 's'),

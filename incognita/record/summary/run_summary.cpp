@@ -178,8 +178,8 @@ void RunSummary::add(const Snapshot& snapshot) {
   compare_with_truth(snapshot);
   if (alignment_ == AlignmentKind::none) distances_.add(snapshot);
   for (const auto& [stage, ms] : snapshot.timing_ms) {
-    auto found =
-        std::find_if(stage_ms_.begin(), stage_ms_.end(), [&stage = stage](const auto& s) { return s.first == stage; });
+    auto found = std::find_if(stage_ms_.begin(), stage_ms_.end(),
+                              [&stage = stage](const auto& s) { return s.first == stage; });
     if (found == stage_ms_.end()) found = stage_ms_.insert(found, {stage, {}});
     found->second.push_back(ms);
   }

@@ -1,6 +1,6 @@
 // Start of the page: asks the program what it shows, then builds sources, state and views. Data flows one
 // way: a source writes the state, views read it.
-import { RefusedError, fetchInfo, fetchMode, fetchSeries } from './connection/api.js';
+import { RefusedError, fetchFinalObservability, fetchInfo, fetchMode, fetchSeries } from './connection/api.js';
 import { followLiveRun } from './connection/live-run.js';
 import { ReplayRun } from './connection/replay-run.js';
 import { announcer } from './panels/announcer.js';
@@ -13,7 +13,6 @@ import { runView } from './panels/run-view.js';
 import { listenToShortcuts } from './panels/shortcuts.js';
 import { applyTheme, themeButton } from './panels/theme.js';
 import { timeline } from './panels/timeline.js';
-import { saveSvg } from './plots/save-svg.js';
 import { Clock } from './state/clock.js';
 import { RunState } from './state/run-state.js';
 import { Session } from './state/session.js';
@@ -80,14 +79,18 @@ function buildPage(session) {
     (byId('mode').textContent = `${session.loop.ended ? 'live run, ended' : mode}, version ${version}`);
   session.on('loop', showMode);
   showMode();
-  document.title = `${shown.map(({ name }) => name).join(' and ')} – incognita`;
+  const showTitle = () =>
+    (document.title = `${runs.map((run, k) => run.info?.name ?? shown[k].name).join(' and ')} – incognita`);
+  runs.forEach((run) => run.on('info', showTitle));
+  showTitle();
   byId('runs').classList.toggle('two', runs.length > 1);
   byId('runs').replaceChildren(...views.map((view) => view.element));
   const newRun = newRunDialog(runs[0], session);
   const help = helpDialog();
   const theme = themeButton(() => views.forEach((view) => view.updateTheme()));
-  document.body.append(announcer(runs, session, clock), messages(session), newRun.dialog, help);
-  buildTools(clock, theme, help);
+  document.body.append(announcer(runs, session, clock), newRun.dialog, help);
+  byId('messages').replaceWith(messages(session));
+  buildTools(clock, () => views.forEach((view) => view.savePlots()), theme, help);
   const loop = loopBar(session, newRun.open);
   const line = timeline(runs, clock);
   byId('bar').append(...(mode === 'live' ? [loop] : []), line);
@@ -104,6 +107,7 @@ function buildPage(session) {
     1: preset('top'),
     2: preset('side'),
     3: preset('follow'),
+    4: preset('map'),
     0: preset('reset'),
     n: () => session.control && newRun.open(),
     t: () => theme.click(),
@@ -119,19 +123,9 @@ function buildPage(session) {
   else startReplay(runs, session, clock);
 }
 
-/** @param {Clock} clock @param {HTMLElement} theme @param {HTMLDialogElement} help */
-function buildTools(clock, theme, help) {
-  const span = select(SPANS, (value) => clock.setSpan(Number(value)));
-  const savePlots = () =>
-    document.querySelectorAll('svg.plot').forEach((svg, k) => {
-      const name =
-        svg
-          .closest('section')
-          ?.getAttribute('aria-label')
-          ?.toLowerCase()
-          .replace(/[^a-z]+/g, '-') ?? 'plot';
-      saveSvg({ svg: /** @type {SVGSVGElement} */ (svg), fileName: `${k + 1}-${name}` });
-    });
+/** @param {Clock} clock @param {() => void} savePlots @param {HTMLElement} theme @param {HTMLDialogElement} help */
+function buildTools(clock, savePlots, theme, help) {
+  const span = select(SPANS, (value) => clock.setSpan(Number(value)), { 'aria-label': 'time shown by the plots' });
   byId('tools').append(
     labeled('plots', span),
     button('Save plots', savePlots, { class: 'quiet save-plots', title: 'Save every plot as an SVG file' }),
@@ -153,10 +147,23 @@ function startLive(run, session, clock) {
     if (now === ended) return;
     ended = now;
     clock.setReplaying(ended);
-    if (ended) clock.seek(clock.range[1]);
+    if (!ended) return;
+    clock.seek(clock.range[1]);
+    if (run.series.hasGaps) readWholeSeries(run, session);
   });
   run.on('series', () => ended && !run.snapshot && clock.seek(clock.range[1]));
   followLiveRun(run, session);
+}
+
+/** What this page missed of a live run is in its files after the end. @param {RunState} run @param {Session} session */
+async function readWholeSeries(run, session) {
+  const { index } = run;
+  try {
+    const series = await fetchSeries(index);
+    if (index === run.index) run.setSeries(series);
+  } catch (error) {
+    session.report(/** @type {Error} */ (error).message, 'The whole run could not be read:');
+  }
 }
 
 /** @param {RunState[]} runs @param {Session} session @param {Clock} clock */
@@ -165,9 +172,14 @@ async function startReplay(runs, session, clock) {
     await Promise.all(
       runs.map(async (run, index) => {
         run.index = index;
-        const [info, series] = await Promise.all([fetchInfo(index), fetchSeries(index)]);
+        const [info, series, observability] = await Promise.all([
+          fetchInfo(index),
+          fetchSeries(index),
+          fetchFinalObservability(index),
+        ]);
         run.setInfo(info);
         run.setSeries(series);
+        if (observability) run.setObservability(observability);
       }),
     );
   } catch (error) {

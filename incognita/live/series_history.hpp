@@ -20,7 +20,8 @@ class SeriesHistory {
   SeriesHistory(bool with_errors, std::size_t bodies, std::size_t most_rows = 20000);
 
   void add(const Snapshot& snapshot);
-  /// {"t": [...], "state": [...], "columns": {...}, "timing_ms": {...}, "paths": [...], "events": [...], "frames": n}
+  /// {"t": [...], "state": [...], "columns": {...}, "timing_ms": {...}, "paths": [...], "events": [...], "frames": n,
+  /// "frame_step": frames from one row to the next}
   std::string json() const;
 
  private:

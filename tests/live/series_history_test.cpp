@@ -27,6 +27,7 @@ TEST(SeriesHistory, HoldsEveryFrame) {
   for (int k = 0; k < 5; ++k) history.add(snapshot(k));
   const Json json = Json::parse(history.json());
   EXPECT_EQ(json["frames"], 5);
+  EXPECT_EQ(json["frame_step"], 1);
   EXPECT_EQ(json["columns"]["matched"], Json({0, 1, 2, 3, 4}));
   EXPECT_EQ(json["timing_ms"]["frame"].size(), 5u);
   EXPECT_EQ(json["state"][4], "tracking");
@@ -39,10 +40,12 @@ TEST(SeriesHistory, HoldsEveryFrame) {
 TEST(SeriesHistory, IsThinnedEvenly) {
   SeriesHistory history(false, 1, 8);
   for (int k = 0; k < 100; ++k) history.add(snapshot(k));
-  const Json matched = Json::parse(history.json())["columns"]["matched"];
+  const Json json = Json::parse(history.json());
+  const Json& matched = json["columns"]["matched"];
   ASSERT_LT(matched.size(), 8u);
   ASSERT_GE(matched.size(), 4u);
   const int stride = matched[1].get<int>() - matched[0].get<int>();
+  EXPECT_EQ(json["frame_step"], stride);
   for (std::size_t i = 0; i < matched.size(); ++i) EXPECT_EQ(matched[i], static_cast<int>(i) * stride);
 }
 

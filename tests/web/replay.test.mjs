@@ -4,6 +4,8 @@ import test from 'node:test';
 import { driveOfGamepad, driveOfKeys, sameDrive } from '../../web/math/drive-command.js';
 import { eventKinds, nextEvent, previousEvent } from '../../web/math/event-search.js';
 import { commonRange, frameAt, nextFrameTime, previousFrameTime } from '../../web/math/linked-time.js';
+import { PathStore } from '../../web/state/path-store.js';
+import { Series } from '../../web/state/series.js';
 import { unseenCenters } from '../../web/math/seen-cells.js';
 import { SequenceMonitor } from '../../web/math/sequence.js';
 
@@ -15,12 +17,12 @@ const events = [
 ];
 
 test('next and previous event, of one kind or of all', () => {
-  assert.equal(nextEvent(events, '', 2)?.kind, 'lost');
-  assert.equal(nextEvent(events, 'initialized', 2)?.frame, 9);
-  assert.equal(nextEvent(events, '', 9), null);
-  assert.equal(previousEvent(events, 'initialized', 9)?.frame, 2);
-  assert.equal(previousEvent(events, '', 9)?.kind, 'decision');
-  assert.equal(previousEvent(events, '', 2), null);
+  assert.equal(nextEvent(events, '', 0.2)?.kind, 'lost');
+  assert.equal(nextEvent(events, 'initialized', 0.2)?.frame, 9);
+  assert.equal(nextEvent(events, '', 0.9), null);
+  assert.equal(previousEvent(events, 'initialized', 0.9)?.frame, 2);
+  assert.equal(previousEvent(events, '', 0.9)?.kind, 'decision');
+  assert.equal(previousEvent(events, '', 0.2), null);
   assert.deepEqual(eventKinds(events), ['initialized', 'lost', 'decision']);
 });
 
@@ -69,4 +71,29 @@ test('held keys add up, the stick has a dead zone', () => {
   assert.deepEqual(driveOfKeys(['KeyE', 'KeyF']), { forward: 0, left: 0, up: -1, turn: -1 });
   const pad = driveOfGamepad([0.1, -1, 0.5, 0]);
   assert.ok(sameDrive(pad, { forward: 1, left: 0, up: 0, turn: -0.5 }));
+});
+
+test('a thinned series knows the frame of each row, and that frames are missing', () => {
+  const series = new Series();
+  const message = { t: [0, 0.4, 0.8], state: [], columns: {}, timing_ms: {}, events: [], frames: 11, first_frame: 0 };
+  series.assign({ ...message, frame_step: 4 });
+  assert.deepEqual(series.frames, [0, 4, 8]);
+  assert.equal(series.hasGaps, true);
+  series.assign(message);
+  assert.deepEqual(series.frames, [0, 1, 2]);
+  assert.equal(series.hasGaps, false);
+  series.append(1.2, 3, 'tracking', {}, {});
+  assert.equal(series.hasGaps, false);
+  series.append(1.6, 5, 'tracking', {}, {});
+  assert.equal(series.hasGaps, true);
+});
+
+test('a path stays bounded over a long run, its ends and order kept', () => {
+  const path = new PathStore();
+  for (let k = 0; k <= 200000; ++k) path.add(k / 30, { x: k, y: 2 * k, z: 0 });
+  assert.ok(path.t.length <= 60000, `${path.t.length} positions`);
+  assert.equal(path.xyz.length, 3 * path.t.length);
+  assert.equal(path.t[0], 0);
+  assert.equal(path.t[path.t.length - 1], 200000 / 30);
+  path.t.forEach((t, k) => assert.ok(Math.abs(path.xyz[3 * k] - 30 * t) < 1e-6 && path.xyz[3 * k + 1] === 2 * path.xyz[3 * k]));
 });

@@ -6,11 +6,16 @@ import { drawMatches } from './overlay.js';
 /** @typedef {import('../state/types.js').Match} Match */
 /** @typedef {import('../state/types.js').Snapshot} Snapshot */
 
+/** Pixels of a saved picture per pixel of the page, at least. */
+export const PNG_RATIO = 2;
+
 export class CameraView {
   /** @type {ImageBitmap | null} */
   #bitmap = null;
   #bitmapFrame = -1;
   #decoding = false;
+  /** Lowest number of a camera of body 1 with matches in this run: its image is shown. */
+  #sensor = Infinity;
   options = { overlay: true, ids: false };
 
   /** @param {HTMLCanvasElement} canvas @param {RunState} run @param {(words: string) => void} setNote */
@@ -26,12 +31,15 @@ export class CameraView {
   }
 
   /** @returns {Promise<Blob | null>} the present view as PNG */
-  png() {
+  async png() {
+    this.drawNow(Math.max(PNG_RATIO, window.devicePixelRatio));
+    const png = new Promise((/** @type {(png: Blob | null) => void} */ resolve) => this.canvas.toBlob(resolve));
     this.drawNow();
-    return new Promise((resolve) => this.canvas.toBlob(resolve));
+    return png;
   }
 
   #forget() {
+    this.#sensor = Infinity;
     this.#bitmap?.close();
     this.#bitmap = null;
     this.#bitmapFrame = -1;
@@ -56,11 +64,11 @@ export class CameraView {
     this.#decoding = false;
   }
 
-  drawNow() {
+  /** @param {number} [ratio] pixels drawn per pixel of the page */
+  drawNow(ratio = window.devicePixelRatio) {
     const camera = this.run.info?.camera;
     const context = this.canvas.getContext('2d');
     if (!camera || !context || this.canvas.clientWidth === 0) return;
-    const ratio = window.devicePixelRatio;
     const width = Math.round(this.canvas.clientWidth * ratio);
     const height = Math.round((width * camera.height) / camera.width);
     if (this.canvas.width !== width || this.canvas.height !== height) {
@@ -73,7 +81,7 @@ export class CameraView {
     context.imageSmoothingEnabled = false;
     if (this.#bitmap) context.drawImage(this.#bitmap, 0, 0, width, height);
     const snapshot = this.#snapshotOfImage();
-    const matches = cameraMatches(snapshot);
+    const matches = this.#cameraMatches(snapshot);
     if (this.options.overlay) {
       drawMatches(context, matches, {
         scale: width / camera.width,
@@ -89,6 +97,19 @@ export class CameraView {
   /** @returns {Snapshot | null} */
   #snapshotOfImage() {
     return this.run.recent.get(this.#bitmapFrame) ?? this.run.snapshot;
+  }
+
+  /**
+   * Matches in the first camera of body 1, whose image the program sends. Simulated cameras measure image
+   * positions without images.
+   * @param {Snapshot | null} snapshot @returns {Match[]}
+   */
+  #cameraMatches(snapshot) {
+    const ofLandmarks = (snapshot?.matches ?? []).filter(({ kind, body }) => kind !== 'body' && body === 1);
+    const inImages = ofLandmarks.filter((match) => match.image);
+    const all = inImages.length > 0 ? inImages : ofLandmarks;
+    this.#sensor = Math.min(this.#sensor, ...all.map((match) => match.sensor));
+    return all.filter((match) => match.sensor === this.#sensor);
   }
 
   /** @param {Snapshot | null} snapshot */
@@ -108,18 +129,6 @@ export class CameraView {
 function withoutImages(info) {
   const disturbances = info?.disturbances ?? [];
   return disturbances.length > 0 && !disturbances.includes('cover-lens');
-}
-
-/**
- * Matches in the first camera that has any: the program sends one image per frame. Simulated cameras measure
- * image positions without images.
- * @param {Snapshot | null} snapshot @returns {Match[]}
- */
-function cameraMatches(snapshot) {
-  const ofLandmarks = (snapshot?.matches ?? []).filter((match) => match.kind !== 'body');
-  const inImages = ofLandmarks.filter((match) => match.image);
-  const all = inImages.length > 0 ? inImages : ofLandmarks;
-  return all.filter((match) => match.body === all[0].body && match.sensor === all[0].sensor);
 }
 
 /** Colors over an image are the same in both themes: the light ones of the Okabe-Ito palette. */

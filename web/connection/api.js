@@ -1,6 +1,7 @@
 // Requests to the program over HTTP. The query parameter `token` of the page's address goes along with each.
 /** @typedef {import('../state/types.js').Info} Info */
 /** @typedef {import('../state/types.js').Mode} Mode */
+/** @typedef {import('../state/types.js').Observability} Observability */
 /** @typedef {import('../state/types.js').SeriesMessage} SeriesMessage */
 /** @typedef {import('../state/types.js').Setting} Setting */
 /** @typedef {import('../state/types.js').Snapshot} Snapshot */
@@ -51,8 +52,19 @@ export const fetchInfo = (run) => fetchJson(`api/runs/${run}/info`);
 /** @param {number} run @returns {Promise<SeriesMessage>} */
 export const fetchSeries = (run) => fetchJson(`api/runs/${run}/series`);
 
-/** @param {number} run @returns {Promise<{status: string, reason: string}>} */
-export const fetchSummary = (run) => fetchJson(`api/runs/${run}/summary`);
+/**
+ * What the observability monitor said at the end of a recorded run.
+ * @param {number} run @returns {Promise<Observability | null>} null if the run has no such summary
+ */
+export async function fetchFinalObservability(run) {
+  const { observability } = await fetchJson(`api/runs/${run}/summary`).catch(() => ({}));
+  if (!observability?.directions) return null;
+  const directions = observability.directions.map((/** @type {any} */ direction) => ({
+    name: direction.name,
+    observable: direction.ideally_observable,
+  }));
+  return { lines: ['At the end of the run.'], directions };
+}
 
 /** @returns {Promise<{name: string, about: string}[]>} */
 export const fetchScenarios = () => fetchJson('api/scenarios');

@@ -2,25 +2,28 @@
 
 /** @typedef {import('../state/types.js').RunEvent} RunEvent */
 
+/** Events closer to a time than this are at that time, s. */
+const SAME_TIME_S = 1e-6;
+
 /**
  * @param {RunEvent[]} events
  * @param {string} kind '' for every kind
- * @param {number} frame
- * @returns {RunEvent | null} first event after `frame`
+ * @param {number} time
+ * @returns {RunEvent | null} first event after `time`
  */
-export function nextEvent(events, kind, frame) {
-  return events.find((event) => event.frame > frame && matches(event, kind)) ?? null;
+export function nextEvent(events, kind, time) {
+  return events.find((event) => event.t > time + SAME_TIME_S && matches(event, kind)) ?? null;
 }
 
 /**
  * @param {RunEvent[]} events
  * @param {string} kind '' for every kind
- * @param {number} frame
- * @returns {RunEvent | null} last event before `frame`
+ * @param {number} time
+ * @returns {RunEvent | null} last event before `time`
  */
-export function previousEvent(events, kind, frame) {
+export function previousEvent(events, kind, time) {
   for (let i = events.length - 1; i >= 0; --i) {
-    if (events[i].frame < frame && matches(events[i], kind)) return events[i];
+    if (events[i].t < time - SAME_TIME_S && matches(events[i], kind)) return events[i];
   }
   return null;
 }

@@ -1,15 +1,15 @@
 // Panel of the camera view with its legend.
 import { CameraView } from '../camera/camera-view.js';
 import { outcomeLegend } from '../camera/legend.js';
+import { fileStem } from '../state/run-state.js';
 import { button, download, element } from './dom.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 
 /**
  * @param {RunState} run
- * @param {string} name of the run, for files
  * @returns {{element: HTMLElement, redraw: () => void}}
  */
-export function cameraPanel(run, name) {
+export function cameraPanel(run) {
   const canvas = element('canvas', {
     role: 'img',
     'aria-label': 'Image of the camera with search ellipses and matches',
@@ -41,7 +41,7 @@ export function cameraPanel(run, name) {
         'PNG',
         async () => {
           const png = await view.png();
-          if (png) download(`${name}-camera.png`, png);
+          if (png) download(`${fileStem(run)}-camera.png`, png);
         },
         { class: 'quiet', 'aria-label': 'Save the camera view as PNG', title: 'Save as PNG' },
       ),

@@ -5,61 +5,82 @@ import { driveControls } from './drive.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 /** @typedef {import('../state/session.js').Session} Session */
 /** @typedef {import('../state/types.js').Info} Info */
+/** @typedef {{element: HTMLElement, update: (info: Info) => void, release?: () => void}} ControlGroup `update` shows
+ *   what is in force, `release` ends the listening */
 
 /** @param {RunState} run @param {Session} session @returns {HTMLElement} */
 export function controlPanel(run, session) {
   const content = element('div', { class: 'control-groups' });
   const made = panel('Control', 'control', content);
-  let release = () => {};
-  let updateDecision = () => {};
-  let ended = false;
+  const paused = element('p', { class: 'note' }, 'Paused: what you do here takes effect at the next frame.');
+  /** @type {ControlGroup[]} */
+  let groups = [];
+  let builtFor = '';
+  const update = () => {
+    const { info } = run;
+    if (info) groups.forEach((group) => group.update(info));
+  };
   const build = () => {
-    release();
-    const info = run.info;
+    const { info } = run;
     made.hidden = !info;
     if (!info) return;
-    if (ended) {
-      content.replaceChildren(element('p', { class: 'note' }, 'The run has ended. “New run…” starts another.'));
-      return;
-    }
-    const drive = info.manual ? driveControls(run, session) : null;
-    release = drive?.release ?? release;
-    const decision = decisionControls(run, info, session);
-    updateDecision = decision.update;
-    content.replaceChildren(
-      decision.element,
-      ...(drive ? [drive.element] : []),
-      disturbanceControls(info, session),
-    );
+    // A page that connects again keeps its inputs
+    const offered = session.loop.ended ? 'ended' : offeredBy(info);
+    if (offered === builtFor) return update();
+    builtFor = offered;
+    groups.forEach((group) => group.release?.());
+    groups = session.loop.ended ? [] : controlGroups(run, info, session);
+    const ended = element('p', { class: 'note' }, 'The run has ended. “New run…” starts another.');
+    content.replaceChildren(...(groups.length ? [paused, ...groups.map((group) => group.element)] : [ended]));
+  };
+  const showLoop = () => {
+    paused.hidden = !session.loop.paused;
+    build();
   };
   run.on('info', build);
-  session.on('loop', () => {
-    if (ended === (session.loop.ended !== null)) return;
-    ended = !ended;
-    build();
-  });
-  run.on('decision-settings', () => updateDecision());
-  session.on('message', () => updateDecision());
+  session.on('loop', showLoop);
+  run.on('settings', update);
+  session.on('message', update);
+  showLoop();
   return made;
+}
+
+/** What the controls of a run depend on. @param {Info} info */
+function offeredBy({ body, bodies, manual, disturbances, strategies, gazes }) {
+  return JSON.stringify({ body, bodies, manual, disturbances, strategies, gazes });
+}
+
+/** @param {RunState} run @param {Info} info @param {Session} session @returns {ControlGroup[]} */
+function controlGroups(run, info, session) {
+  return [
+    decisionControls(info, session),
+    ...(info.manual ? [driveControls(run, session)] : []),
+    disturbanceControls(info, session),
+  ];
 }
 
 /**
  * Strategy and gaze. A choice that the program refused goes back to the one in force.
- * @param {RunState} run @param {Info} info @param {Session} session
- * @returns {{element: HTMLElement, update: () => void}}
+ * @param {Info} info @param {Session} session @returns {ControlGroup}
  */
-function decisionControls(run, info, session) {
+function decisionControls(info, session) {
   const keys = /** @type {const} */ (['strategy', 'gaze']);
   const choices = { strategy: info.strategies ?? [], gaze: info.gazes ?? [] };
   const offered = keys.filter((key) => choices[key].length > 0);
   const selects = offered.map((key) =>
     select(
-      [...new Set([info[key] ?? choices[key][0], ...choices[key]])].map((word) => [word, word]),
+      choices[key].map((word) => [word, word]),
       (word) => session.intervene({ type: 'set', settings: [`decision.${key}=${word}`] }),
     ),
   );
-  const update = () => selects.forEach((made, k) => (made.value = run.info?.[offered[k]] ?? made.value));
-  update();
+  const update = (/** @type {Info} */ now) =>
+    selects.forEach((made, k) => {
+      const word = now[offered[k]] ?? choices[offered[k]][0];
+      if (![...made.options].some(({ value }) => value === word))
+        made.append(element('option', { value: word }, word));
+      made.value = word;
+    });
+  update(info);
   return {
     element: element(
       'fieldset',

@@ -13,7 +13,7 @@ const REST = driveOfKeys([]);
 
 /**
  * @param {RunState} run @param {Session} session
- * @returns {{element: HTMLElement, release: () => void}} `release` ends the listening
+ * @returns {import('./control.js').ControlGroup}
  */
 export function driveControls(run, session) {
   const listening = new AbortController();
@@ -137,8 +137,25 @@ export function driveControls(run, session) {
   window.addEventListener('blur', releaseKeys, { signal });
   const timer = setInterval(pollGamepad, GAMEPAD_PERIOD_MS);
   signal.addEventListener('abort', () => clearInterval(timer));
-  run.on('snapshot', () => signal.aborted || showTaken());
+  run.on('snapshot', showTaken, signal);
   take.textContent = '';
   showTaken();
-  return { element: made, release: () => listening.abort() };
+  labelPads(pads);
+  return { element: made, update: showTaken, release: () => listening.abort() };
+}
+
+/**
+ * Letters as they are on this keyboard, where the browser tells: on a French one the keys of W and A bear Z and Q.
+ * @param {HTMLElement} pads
+ */
+async function labelPads(pads) {
+  const keyboard = /** @type {{getLayoutMap?: () => Promise<Map<string, string>>} | undefined} */ (
+    /** @type {any} */ (navigator).keyboard
+  );
+  const letters = await keyboard?.getLayoutMap?.().catch(() => null);
+  for (const pad of pads.querySelectorAll('button')) {
+    const letter = letters?.get(pad.dataset.code ?? '');
+    const key = pad.querySelector('kbd');
+    if (letter && key) key.textContent = letter.toUpperCase();
+  }
 }

@@ -6,7 +6,7 @@ const SHORTCUTS = [
   ['Space', 'pause or resume; play or stop a replay'],
   ['.  and  ,', 'next frame (one step of a live run); previous frame'],
   [']  and  [', 'next and previous event of the selected kind'],
-  ['1  2  3  0', 'view from the top, from the side, following the body, reset'],
+  ['1  2  3  4  0', 'view from the top, from the side, following the body, of the landmarks and paths, reset'],
   ['← → ↑ ↓', 'turn the view (when the scene has the focus)'],
   ['Shift + ← → ↑ ↓', 'shift the view; + and − zoom'],
   ['N', 'new run'],

@@ -10,7 +10,7 @@ const SPEEDS = [
   ['2', '2×'],
   ['4', '4×'],
   ['8', '8×'],
-  ['0', 'as fast as possible'],
+  ['0', 'fastest'],
 ];
 
 /**
@@ -22,7 +22,9 @@ export function loopBar(session, openNewRun) {
   const step = () => session.command({ type: 'step' });
   const pause = button('Pause', togglePause, { class: 'primary' });
   const stepButton = button('Step', step, { title: 'One frame (.)' });
-  const speed = select(SPEEDS, (value) => session.command({ type: 'speed', factor: Number(value) }));
+  const speed = select(SPEEDS, (value) => session.command({ type: 'speed', factor: Number(value) }), {
+    'aria-label': 'speed',
+  });
   const stop = button('Stop', () => session.command({ type: 'stop' }));
   const words = element('span', { class: 'loop-state' });
   const running = element(

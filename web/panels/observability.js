@@ -17,7 +17,7 @@ export function observabilityPanel(run) {
           element(
             'li',
             { class: observable ? 'observable' : 'unobservable' },
-            `${observable ? '✓' : '✖'} ${name}${observable ? '' : ' unobservable'}`,
+            `${observable ? '✓' : '✖'} ${shortName(name)}${observable ? '' : ' unobservable'}`,
           ),
         ),
       ),
@@ -27,4 +27,9 @@ export function observabilityPanel(run) {
   run.on('observability info', show);
   show();
   return made;
+}
+
+/** As the plots name it. @param {string} direction */
+function shortName(direction) {
+  return direction.replace('rotation about ', 'rot ');
 }

@@ -15,13 +15,13 @@ import { statusLine } from './status.js';
  * @param {RunState} run @param {string} name @param {Session} session @param {Clock} clock
  */
 export function runView(run, name, session, clock) {
-  const scene = scenePanel(run, name);
-  const camera = cameraPanel(run, name);
+  const scene = scenePanel(run);
+  const camera = cameraPanel(run);
   const plots = new PlotSet(run, clock);
   const made = element(
     'section',
     { class: 'run', 'aria-label': `Run ${name}` },
-    statusLine(run, session),
+    statusLine(run, session, clock),
     element(
       'div',
       { class: 'views' },
@@ -37,6 +37,7 @@ export function runView(run, name, session, clock) {
     element: made,
     preset: scene.preset,
     scene: scene.view,
+    savePlots: () => plots.save(),
     updateTheme() {
       scene.updateTheme();
       camera.redraw();

@@ -1,5 +1,6 @@
 // Panel of the 3-D scene: the canvas, view presets, layers. three.js is loaded after the page has been shown.
 import { outcomeLegend } from '../camera/legend.js';
+import { fileStem } from '../state/run-state.js';
 import { button, download, element } from './dom.js';
 /** @typedef {import('../scene/scene-view.js').SceneView} SceneView */
 /** @typedef {import('../scene/view-control.js').Preset} Preset */
@@ -23,15 +24,16 @@ const PRESETS = [
   ['top', 'Top'],
   ['side', 'Side'],
   ['follow', 'Follow'],
+  ['map', 'Map'],
   ['reset', 'Reset'],
 ];
 
 /**
- * @param {RunState} run @param {string} name of the run, for files
+ * @param {RunState} run
  * @returns {{element: HTMLElement, preset: (preset: Preset) => void, updateTheme: () => void, view: () =>
  *   SceneView | null}}
  */
-export function scenePanel(run, name) {
+export function scenePanel(run) {
   /** @type {SceneView | null} */
   let view = null;
   const canvas = element('canvas', {
@@ -81,7 +83,7 @@ export function scenePanel(run, name) {
         'PNG',
         async () => {
           const png = await view?.png();
-          if (png) download(`${name}-scene.png`, png);
+          if (png) download(`${fileStem(run)}-scene.png`, png);
         },
         { class: 'quiet', 'aria-label': 'Save the scene as PNG', title: 'Save as PNG' },
       ),

@@ -2,6 +2,7 @@
 import { scenarioOf } from '../state/run-state.js';
 import { element } from './dom.js';
 
+/** @typedef {import('../state/clock.js').Clock} Clock */
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 /** @typedef {import('../state/session.js').Session} Session */
 
@@ -11,9 +12,10 @@ const SYMBOLS = { starting: '◌', tracking: '●', degraded: '▲', lost: '✖'
 /**
  * @param {RunState} run
  * @param {Session} session
+ * @param {Clock} clock
  * @returns {HTMLElement}
  */
-export function statusLine(run, session) {
+export function statusLine(run, session, clock) {
   const symbol = element('span', { class: 'symbol', 'aria-hidden': 'true' });
   const word = element('strong');
   const badge = element('span', { class: 'badge' }, symbol, word);
@@ -36,7 +38,9 @@ export function statusLine(run, session) {
     line.dataset.state = state;
     symbol.textContent = SYMBOLS[state] ?? '●';
     word.textContent = state;
-    reason.textContent = snapshot?.reason ?? '';
+    reason.textContent = hasEnded(run, clock)
+      ? `this run ended at ${lastTime(run).toFixed(2)} s`
+      : (snapshot?.reason ?? '');
     reason.title = reason.textContent;
     name.textContent = info ? nameOf(info) : '';
     values.time.textContent = snapshot ? `${snapshot.t.toFixed(2)} s` : '–';
@@ -57,8 +61,17 @@ export function statusLine(run, session) {
   }
   run.on('info snapshot', show);
   session.on('loop', show);
+  clock.on('time', show);
   show();
   return element('div', { class: 'status-block' }, line, banner);
+}
+
+/** @param {RunState} run */
+const lastTime = ({ series: { t } }) => t[t.length - 1];
+
+/** Whether another run goes on at the shown time. @param {RunState} run @param {Clock} clock */
+function hasEnded(run, clock) {
+  return clock.replaying && clock.time > lastTime(run) + 0.5 / (run.info?.rate_hz ?? 30);
 }
 
 /**

@@ -1,6 +1,6 @@
 // Time line of finished runs: scrubbing, playing, jumping between events, which are marked on it.
 import { eventKinds, nextEvent, previousEvent } from '../math/event-search.js';
-import { frameAt, nextFrameTime, previousFrameTime } from '../math/linked-time.js';
+import { nextFrameTime, previousFrameTime } from '../math/linked-time.js';
 import { onDemand } from '../state/draw-scheduler.js';
 import { button, element, labeled, select, svgElement } from './dom.js';
 /** @typedef {import('../state/clock.js').Clock} Clock */
@@ -40,10 +40,7 @@ export function timeline(runs, clock) {
   };
   const event = (/** @type {1 | -1} */ direction) => {
     const search = direction > 0 ? nextEvent : previousEvent;
-    const found = runs.flatMap((run) => {
-      const at = run.series.frames[frameAt(run.series.t, clock.time)] ?? 0;
-      return search(run.events, kinds.value, at) ?? [];
-    });
+    const found = runs.flatMap((run) => search(run.events, kinds.value, clock.time) ?? []);
     if (found.length === 0) {
       eventText.textContent = direction > 0 ? 'no later event' : 'no earlier event';
       return;

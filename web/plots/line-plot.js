@@ -23,6 +23,9 @@ const LEGEND_ROW_PX = 13;
 /** About the width of a letter of the legend. */
 const LETTER_PX = 6.1;
 const ENTRY_GAP_PX = 7;
+/** How far a line may leave the drawing before it is cut, so that its slope at the border stays right. */
+const BEYOND_PX = 200;
+let clips = 0;
 
 export class LinePlot {
   /** @type {PlotData | null} */
@@ -46,11 +49,15 @@ export class LinePlot {
     );
     this.root = d3.select(this.svg);
     this.root.append('title').text(about);
-    this.bandPath = this.root.append('path').attr('class', 'band');
+    const clip = `plot-clip-${++clips}`;
+    this.clip = this.root.append('clipPath').attr('id', clip).append('rect');
+    const inside = () => this.root.append('g').attr('clip-path', `url(#${clip})`);
+    this.bandPath = inside().append('path').attr('class', 'band');
     this.axisX = this.root.append('g').attr('class', 'axis');
     this.axisY = this.root.append('g').attr('class', 'axis');
     this.marks = this.root.append('path').attr('class', 'marks');
-    this.lines = this.root.append('g').attr('class', 'lines');
+    this.lines = inside().attr('class', 'lines');
+    this.beyond = this.root.append('g').attr('class', 'beyond');
     this.cursor = this.root.append('line').attr('class', 'cursor');
     this.legend = this.root.append('text').attr('class', 'plot-title').attr('x', 2).attr('y', 11);
     this.svg.addEventListener('pointermove', (event) => clock.setCursor(this.#timeAt(event)));
@@ -74,9 +81,15 @@ export class LinePlot {
       .scaleLinear()
       .domain(data.domain ?? domainOf(data.lines, kept))
       .range([height - MARGIN.bottom, this.#top]);
+    this.clip
+      .attr('x', MARGIN.left)
+      .attr('y', this.#top)
+      .attr('width', columns)
+      .attr('height', Math.max(0, height - MARGIN.bottom - this.#top));
     this.#drawAxes(y, columns, height);
     this.#drawBand(y, columns);
     this.#drawLines(y, kept);
+    this.#drawBeyond(y, kept);
     this.#drawMarks(data.marks ?? []);
     this.drawCursor();
   }
@@ -92,7 +105,7 @@ export class LinePlot {
         ? this.clock.time
         : data.t[data.t.length - 1];
     const inside = time >= data.range[0] && time <= data.range[1] && (hovered || this.clock.replaying);
-    const x = this.#x(time);
+    const x = inside ? this.#x(time) : 0;
     this.cursor
       .attr('visibility', inside ? 'visible' : 'hidden')
       .attr('x1', x)
@@ -153,6 +166,10 @@ export class LinePlot {
         .tickPadding(2)
         .tickFormat((/** @type {number} */ t) => `${t} s`),
     );
+    const end = this.#x.range()[1];
+    this.axisX
+      .selectAll('text')
+      .attr('text-anchor', (/** @type {number} */ t) => (this.#x(t) > end - LETTER_PX ? 'end' : 'middle'));
     this.axisY
       .attr('transform', `translate(${MARGIN.left},0)`)
       .call(d3.axisLeft(y).tickValues(ticksOf(y, ticksY)).tickSize(-columns).tickPadding(4).tickFormat(shortNumber));
@@ -168,12 +185,11 @@ export class LinePlot {
     const kept = [
       ...new Set([...decimate(t, band.high, ...range, columns), ...decimate(t, band.low, ...range, columns)]),
     ].sort((a, b) => a - b);
-    const [bottom, top] = y.range();
-    const inside = (/** @type {number} */ value) => Math.min(bottom, Math.max(top, y(value)));
+    const inside = limited(y);
     const area = d3
       .area()
       .defined((/** @type {number} */ i) => Number.isFinite(band.low[i]) && Number.isFinite(band.high[i]))
-      .x((/** @type {number} */ i) => this.#clampX(t[i]))
+      .x((/** @type {number} */ i) => this.#x(t[i]))
       .y0((/** @type {number} */ i) => inside(band.low[i]))
       .y1((/** @type {number} */ i) => inside(band.high[i]));
     this.bandPath
@@ -185,13 +201,13 @@ export class LinePlot {
   /** @param {any} y @param {number[][]} kept */
   #drawLines(y, kept) {
     const { t, lines } = /** @type {PlotData} */ (this.#data);
-    const [bottom, top] = y.range();
+    const inside = limited(y);
     const path = (/** @type {Line} */ line, /** @type {number} */ k) =>
       d3
         .line()
         .defined((/** @type {number} */ i) => Number.isFinite(line.values[i]))
-        .x((/** @type {number} */ i) => this.#clampX(t[i]))
-        .y((/** @type {number} */ i) => Math.min(bottom, Math.max(top, y(line.values[i]))))(kept[k]);
+        .x((/** @type {number} */ i) => this.#x(t[i]))
+        .y((/** @type {number} */ i) => inside(line.values[i]))(kept[k]);
     this.lines
       .selectAll('path')
       .data(lines)
@@ -201,17 +217,33 @@ export class LinePlot {
       .style('stroke', (/** @type {Line} */ line) => `var(${line.color})`);
   }
 
+  /** Triangles at the border where a line leaves the drawing above or below. @param {any} y @param {number[][]} kept */
+  #drawBeyond(y, kept) {
+    const { t, lines, range } = /** @type {PlotData} */ (this.#data);
+    const [bottom, top] = y.range();
+    const [low, high] = y.domain();
+    const triangles = (/** @type {Line} */ line, /** @type {number} */ k) => {
+      const shown = kept[k].filter((i) => t[i] >= range[0] && t[i] <= range[1]);
+      const at = (/** @type {(value: number) => boolean} */ leaves) =>
+        new Set(shown.filter((i) => leaves(line.values[i])).map((i) => Math.round(this.#x(t[i]))));
+      return (
+        [...at((value) => value > high)].map((x) => `M${x - 3} ${top + 5}h6l-3 -5z`).join('') +
+        [...at((value) => value < low)].map((x) => `M${x - 3} ${bottom - 5}h6l-3 5z`).join('')
+      );
+    };
+    this.beyond
+      .selectAll('path')
+      .data(lines)
+      .join('path')
+      .attr('d', triangles)
+      .style('fill', (/** @type {Line} */ line) => `var(${line.color})`);
+  }
+
   /** Short strokes along the upper edge, one per pixel at most. @param {number[]} times */
   #drawMarks(times) {
     const { range } = /** @type {PlotData} */ (this.#data);
     const shown = times.filter((t) => t >= range[0] && t <= range[1]).map((t) => Math.round(this.#x(t)));
     this.marks.attr('d', [...new Set(shown)].map((x) => `M${x} ${this.#top}v5`).join(''));
-  }
-
-  /** @param {number} t */
-  #clampX(t) {
-    const [left, right] = this.#x.range();
-    return Math.min(right, Math.max(left, this.#x(t)));
   }
 
   /** @param {PointerEvent | MouseEvent} event @returns {number} */
@@ -220,6 +252,12 @@ export class LinePlot {
     const [low, high] = this.#x.domain();
     return Math.min(high, Math.max(low, this.#x.invert(event.clientX - box.left)));
   }
+}
+
+/** Place of a value, at most somewhat beyond the drawing. @param {any} y scale */
+function limited(y) {
+  const [bottom, top] = y.range();
+  return (/** @type {number} */ value) => Math.min(bottom + BEYOND_PX, Math.max(top - BEYOND_PX, y(value)));
 }
 
 /** @param {Line[]} lines @param {number[][]} kept @returns {[number, number]} */

@@ -1,17 +1,22 @@
 // The plots of one run: entropies, errors within their bounds, NIS, stage timings. Redrawn about 8 times a
 // second.
 import { normalizedBand95 } from '../math/chi-square.js';
+import { indexRange } from '../math/decimate.js';
 import { quantile } from '../math/statistics.js';
 import { button, element } from '../panels/dom.js';
 import { onDemand } from '../state/draw-scheduler.js';
+import { fileStem } from '../state/run-state.js';
 import { LinePlot } from './line-plot.js';
 import { saveSvg } from './save-svg.js';
 import { TimingsPlot } from './timings-plot.js';
 /** @typedef {import('../state/clock.js').Clock} Clock */
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 /** @typedef {import('./line-plot.js').PlotData} PlotData */
+/** @typedef {{svg: SVGSVGElement, fileName: string}} Plot */
 
 const REDRAW_MS = 125;
+/** Values that the scale of a plot is taken from, evenly spaced over those shown. */
+const SCALE_SAMPLES = 1000;
 const ENTROPIES = [
   { column: 'entropy_total_nats', label: 'total', color: '--blue', dash: '' },
   { column: 'entropy_map_nats', label: 'map', color: '--orange', dash: '7 3' },
@@ -28,6 +33,9 @@ const ERRORS = [
 ];
 
 export class PlotSet {
+  /** @type {Map<number, [number, number]>} */
+  #bands = new Map();
+
   /** @param {RunState} run @param {Clock} clock */
   constructor(run, clock) {
     this.run = run;
@@ -53,10 +61,10 @@ export class PlotSet {
     this.element = element(
       'div',
       { class: 'plots' },
-      plotPanel('Entropies', 'entropies', [this.entropy], 'ticks: new landmarks'),
-      plotPanel('Pose errors and ±2σ bounds', 'errors', this.errors, ''),
-      plotPanel('Innovations', 'nis', [this.nis], ''),
-      plotPanel('Stage timings', 'timings', [this.timings], ''),
+      this.#panel('Entropies', 'entropies', [this.entropy], 'ticks: new landmarks'),
+      this.#panel('Pose errors and ±2σ bounds', 'errors', this.errors),
+      this.#panel('Innovations', 'nis', [this.nis]),
+      this.#panel('Stage timings', 'timings', [this.timings]),
     );
     this.draw = onDemand(() => this.drawNow(), REDRAW_MS);
     run.on('info', () => {
@@ -74,101 +82,119 @@ export class PlotSet {
     new ResizeObserver(() => this.draw()).observe(this.element);
   }
 
+  /** Of the shown range only: a long run has a hundred thousand frames. */
   drawNow() {
-    const { t } = this.run.series;
-    if (t.length === 0) return;
+    const { t: times } = this.run.series;
     const range = this.clock.shownRange;
-    this.entropy.draw({ t, range, lines: this.#entropyLines(), marks: this.#initializations() });
-    this.#drawErrors(t, range);
-    this.nis.draw(this.#nisData(t, range));
-    this.timings.draw(this.clock.replaying ? this.clock.time : t[t.length - 1]);
+    const [first, last] = indexRange(times, ...range);
+    const t = times.slice(first, last);
+    const column = (/** @type {string} */ name) => this.run.series.columns[name]?.slice(first, last);
+    this.entropy.draw({ t, range, lines: entropyLines(column), marks: this.#initializations() });
+    this.#drawErrors(t, range, column);
+    this.nis.draw({ t, range, ...this.#nisData(column('nis') ?? [], column('nis_dof') ?? []) });
+    this.timings.draw(this.clock.replaying || t.length === 0 ? this.clock.time : t[t.length - 1]);
   }
 
   /**
    * A component that neither moves nor is uncertain, such as the height of a planar vehicle, is left out. Those
    * come first: the others share their room.
-   * @param {number[]} t @param {[number, number]} range
+   * @param {number[]} t @param {[number, number]} range @param {Column} column
    */
-  #drawErrors(t, range) {
-    const data = ERRORS.map(([name]) => this.#errorData(name, t, range));
+  #drawErrors(t, range, column) {
+    const data = ERRORS.map(([name]) => ({ t, range, ...errorData(name, column) }));
     this.errors.forEach((plot, k) => {
-      /** @type {HTMLElement} */ (plot.svg.parentElement).hidden = isConstant(data[k]);
+      /** @type {HTMLElement} */ (plot.svg.parentElement).hidden = t.length > 0 && isConstant(data[k]);
     });
     this.errors.forEach((plot, k) => isConstant(data[k]) || plot.draw(data[k]));
-  }
-
-  #entropyLines() {
-    const { columns } = this.run.series;
-    return ENTROPIES.filter(({ column }) => columns[column]).map((style) => ({
-      ...style,
-      values: columns[style.column],
-    }));
   }
 
   #initializations() {
     return this.run.events.filter((event) => event.kind === 'initialized').map((event) => event.t);
   }
 
-  /** @param {string} name @param {number[]} t @param {[number, number]} range @returns {PlotData} */
-  #errorData(name, t, range) {
-    const { columns } = this.run.series;
-    const bound = columns[`two_sigma_${name}`] ?? [];
-    const error = columns[`error_${name}`];
-    const sizes = error ? error.map(Math.abs) : [];
-    const limit = Math.max(1.25 * (quantile(bound, 0.95) || 0), 1.1 * (quantile(sizes, 0.995) || 0), 1e-6);
-    return {
-      t,
-      range,
-      domain: [-limit, limit],
-      band: { low: bound.map((b) => -b), high: bound, color: '--sky' },
-      lines: error
-        ? [{ label: '', color: '--vermilion', values: error }]
-        : [{ label: '2σ', color: '--sky', values: bound }],
-    };
-  }
-
-  /** @param {number[]} t @param {[number, number]} range @returns {PlotData} */
-  #nisData(t, range) {
-    const { nis = [], nis_dof: dof = [] } = this.run.series.columns;
+  /** @param {number[]} nis @param {number[]} dof degrees of freedom */
+  #nisData(nis, dof) {
     const ratio = nis.map((value, i) => (dof[i] > 0 ? value / dof[i] : NaN));
-    const bands = dof.map(normalizedBand95);
-    const top = Math.max(2.5, 1.2 * (quantile(ratio, 0.98) || 0));
+    const bands = dof.map((degrees) => this.#band(degrees));
+    /** @type {[number, number]} */
+    const domain = [0, Math.max(2.5, 1.2 * (typical(ratio, 0.98) || 0))];
     return {
-      t,
-      range,
-      domain: [0, top],
+      domain,
       lines: [{ label: '', color: '--blue', values: ratio }],
       note: { text: 'band: 95 %, Wilson–Hilferty', color: '--green' },
       band: { low: bands.map((b) => b[0]), high: bands.map((b) => b[1]), color: '--green' },
     };
   }
+
+  /** @param {number} degrees of freedom, few different ones in a run @returns {[number, number]} */
+  #band(degrees) {
+    const known = this.#bands.get(degrees);
+    if (known) return known;
+    const band = normalizedBand95(degrees);
+    this.#bands.set(degrees, band);
+    return band;
+  }
+
+  /** Saves those of the plots that are shown. @param {Plot[]} plots */
+  save(plots = this.all) {
+    for (const { svg, fileName } of plots)
+      if (!svg.closest('[hidden]')) saveSvg(svg, `${fileStem(this.run)}-${fileName}`);
+  }
+
+  /** @param {string} title @param {string} kind @param {Plot[]} plots @param {string} [note] */
+  #panel(title, kind, plots, note = '') {
+    const save = button('SVG', () => this.save(plots), {
+      class: 'quiet',
+      'aria-label': `Save ${title} as SVG`,
+      title: 'Save as SVG',
+    });
+    return element(
+      'section',
+      { class: `panel plot-panel ${kind}`, 'aria-label': title },
+      element('header', {}, element('h2', {}, title), element('span', { class: 'note' }, note), save),
+      element(
+        'div',
+        { class: 'plot-area' },
+        ...plots.map((plot) => element('div', { class: 'plot-host' }, plot.svg)),
+      ),
+    );
+  }
+}
+
+/** @typedef {(name: string) => number[] | undefined} Column values of the shown range */
+
+/** @param {Column} column */
+function entropyLines(column) {
+  return ENTROPIES.flatMap((style) => {
+    const values = column(style.column);
+    return values ? [{ ...style, values }] : [];
+  });
+}
+
+/** @param {string} name @param {Column} column */
+function errorData(name, column) {
+  const bound = column(`two_sigma_${name}`) ?? [];
+  const error = column(`error_${name}`);
+  const largest = 1.1 * (typical((error ?? []).map(Math.abs), 0.995) || 0);
+  const limit = Math.max(1.25 * (typical(bound, 0.95) || 0), largest, 1e-6);
+  /** @type {[number, number]} */
+  const domain = [-limit, limit];
+  return {
+    domain,
+    band: { low: bound.map((b) => -b), high: bound, color: '--sky' },
+    lines: error
+      ? [{ label: '', color: '--vermilion', values: error }]
+      : [{ label: '2σ', color: '--sky', values: bound }],
+  };
+}
+
+/** Quantile of a sample: sorting all frames of a long run takes too long. @param {number[]} values @param {number} share */
+function typical(values, share) {
+  const step = Math.max(1, Math.floor(values.length / SCALE_SAMPLES));
+  return quantile(step === 1 ? values : values.filter((_, i) => i % step === 0), share);
 }
 
 /** @param {PlotData} data */
 function isConstant({ band, lines }) {
   return [band?.high ?? [], ...lines.map((line) => line.values)].every((values) => values.every((v) => !v));
-}
-
-/**
- * @param {string} title
- * @param {string} kind
- * @param {{svg: SVGSVGElement, fileName: string}[]} plots
- * @param {string} note
- */
-function plotPanel(title, kind, plots, note) {
-  const save = button('SVG', () => plots.forEach(saveSvg), {
-    class: 'quiet',
-    'aria-label': `Save ${title} as SVG`,
-    title: 'Save as SVG',
-  });
-  return element(
-    'section',
-    { class: `panel plot-panel ${kind}`, 'aria-label': title },
-    element('header', {}, element('h2', {}, title), element('span', { class: 'note' }, note), save),
-    element(
-      'div',
-      { class: 'plot-area' },
-      ...plots.map((plot) => element('div', { class: 'plot-host' }, plot.svg)),
-    ),
-  );
 }

@@ -17,8 +17,8 @@ const PROPERTIES = [
   'visibility',
 ];
 
-/** @param {{svg: SVGSVGElement, fileName: string}} plot */
-export function saveSvg({ svg, fileName }) {
+/** @param {SVGSVGElement} svg @param {string} fileName without its ending */
+export function saveSvg(svg, fileName) {
   if (!svg.hasAttribute('viewBox')) return;
   download(`${fileName}.svg`, new Blob([selfContained(svg)], { type: 'image/svg+xml' }));
 }

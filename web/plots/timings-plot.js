@@ -6,6 +6,10 @@ import { svgElement } from '../panels/dom.js';
 import { shortNumber } from './line-plot.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 
+const ABOUT =
+  'Frame: estimator, decision and control, against the time between two frames. Stages: also the sensor, which a ' +
+  'simulation computes, and the writing of files.';
+
 const d3 = /** @type {any} */ (globalThis).d3;
 const FRAMES = 60;
 const LARGEST = 6;
@@ -21,6 +25,7 @@ export class TimingsPlot {
     this.run = run;
     this.svg = /** @type {SVGSVGElement} */ (svgElement('svg', { class: 'plot', role: 'img' }));
     this.root = d3.select(this.svg);
+    this.root.append('title').text(ABOUT);
   }
 
   drawCursor() {}
@@ -62,7 +67,7 @@ export class TimingsPlot {
       'budget-text',
       LEFT,
       11,
-      `frame ${shortNumber(middle)} of ${shortNumber(budget)} ms,` +
+      `frame, median of ${FRAMES}: ${shortNumber(middle)} of ${shortNumber(budget)} ms,` +
         ` ${Math.round((100 * middle) / budget)} %${over ? ': over budget' : ''}`,
     );
     this.#bar('budget', LEFT, 16, x(budget), 8, '--line');
@@ -80,7 +85,7 @@ export class TimingsPlot {
       start += stage.ms * scale;
       return { ...stage, x, width: stage.ms * scale, color: COLORS[k] };
     });
-    this.#text('stages-text', LEFT, 41, `stages, median of ${FRAMES}: ${shortNumber(total)} ms`);
+    this.#text('stages-text', LEFT, 41, `stages and sensor: ${shortNumber(total)} ms`);
     this.root
       .selectAll('rect.stage')
       .data(placed)

@@ -1,4 +1,5 @@
 // The 3-D scene of one run. It draws only when something has changed.
+import { PNG_RATIO } from '../camera/camera-view.js';
 import { onDemand } from '../state/draw-scheduler.js';
 import { Bodies } from './bodies.js';
 import { sceneColor } from './colors.js';
@@ -46,7 +47,6 @@ export class SceneView {
     this.run = run;
     this.canvas = canvas;
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
-    this.renderer.setPixelRatio(window.devicePixelRatio);
     this.draw = onDemand(() => this.drawNow());
     this.view = new ViewControl(canvas, () => this.draw());
     this.#scene.add(new THREE.HemisphereLight(0xffffff, 0x8890a0, 0.9), sun());
@@ -71,13 +71,14 @@ export class SceneView {
 
   /** @param {Preset} preset */
   preset(preset) {
-    this.view.preset(preset, this.#bodyPosition());
+    this.view.preset(preset, this.#bodyPosition(), preset === 'map' ? mappedExtent(this.run) : undefined);
     this.draw();
   }
 
   /** @param {string} layer @param {boolean} visible */
   setLayer(layer, visible) {
     this.layers[layer] = visible;
+    this.#changed.snapshot = true; // what a hidden layer missed
     this.#applyLayers();
     this.draw();
   }
@@ -87,9 +88,13 @@ export class SceneView {
   }
 
   /** @returns {Promise<Blob | null>} the present view as PNG */
-  png() {
+  async png() {
+    this.#resize(Math.max(PNG_RATIO, window.devicePixelRatio));
     this.drawNow();
-    return new Promise((resolve) => this.canvas.toBlob(resolve));
+    const png = new Promise((/** @type {(png: Blob | null) => void} */ resolve) => this.canvas.toBlob(resolve));
+    this.#resize();
+    this.drawNow();
+    return png;
   }
 
   drawNow() {
@@ -105,7 +110,7 @@ export class SceneView {
     const snapshot = this.run.snapshot;
     this.landmarks.update(snapshot);
     this.#bodies.update(snapshot?.bodies ?? []);
-    this.#surroundings.updateUnseen(snapshot?.exploration);
+    if (this.layers.unseen) this.#surroundings.updateUnseen(snapshot?.exploration);
     this.run.paths.forEach((path, index) => {
       const time = snapshot ? snapshot.t : -Infinity;
       this.#paths[index]?.estimate.update(path.estimate, path.estimate.countUntil(time));
@@ -171,9 +176,11 @@ export class SceneView {
     this.#surroundings.unseen.visible = shown.unseen;
   }
 
-  #resize() {
+  /** @param {number} [ratio] pixels drawn per pixel of the page */
+  #resize(ratio = window.devicePixelRatio) {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.view.camera.aspect = width / height;
     this.view.camera.updateProjectionMatrix();
@@ -203,30 +210,23 @@ function sun() {
  * @returns {THREE.Box3}
  */
 function extentOf(run) {
-  const box = new THREE.Box3();
   const { room, terrain } = run.info ?? {};
-  if (room) box.set(new THREE.Vector3().fromArray(room.min), new THREE.Vector3().fromArray(room.max));
-  else if (terrain) {
-    const [x, y] = terrain.origin;
-    box.set(
-      new THREE.Vector3(x, y, -1),
-      new THREE.Vector3(
-        x + terrain.step_m * (terrain.columns - 1),
-        y + terrain.step_m * (terrain.rows - 1),
-        1,
-      ),
-    );
-  } else {
-    for (const { position } of run.snapshot?.landmarks ?? [])
-      if (position) box.expandByPoint(new THREE.Vector3(position.x, position.y, position.z));
-    for (const { estimate } of run.paths) {
-      for (let k = 0; k < estimate.xyz.length; k += 3) {
-        if (Number.isFinite(estimate.xyz[k]))
-          box.expandByPoint(new THREE.Vector3().fromArray(estimate.xyz, k));
-      }
-    }
-    if (box.isEmpty()) box.set(new THREE.Vector3(-5, -5, 0), new THREE.Vector3(5, 5, 1));
-    box.expandByScalar(1);
+  if (room) return new THREE.Box3(new THREE.Vector3().fromArray(room.min), new THREE.Vector3().fromArray(room.max));
+  if (!terrain) return mappedExtent(run).expandByScalar(1);
+  const [x, y] = terrain.origin;
+  const [toX, toY] = [terrain.columns - 1, terrain.rows - 1].map((steps) => steps * terrain.step_m);
+  return new THREE.Box3(new THREE.Vector3(x, y, -1), new THREE.Vector3(x + toX, y + toY, 1));
+}
+
+/** Landmarks and paths known so far. @param {RunState} run @returns {THREE.Box3} */
+function mappedExtent(run) {
+  const box = new THREE.Box3();
+  for (const { position } of run.snapshot?.landmarks ?? [])
+    if (position) box.expandByPoint(new THREE.Vector3(position.x, position.y, position.z));
+  for (const { estimate } of run.paths) {
+    for (let k = 0; k < estimate.xyz.length; k += 3)
+      if (Number.isFinite(estimate.xyz[k])) box.expandByPoint(new THREE.Vector3().fromArray(estimate.xyz, k));
   }
+  if (box.isEmpty()) box.set(new THREE.Vector3(-5, -5, 0), new THREE.Vector3(5, 5, 1));
   return box;
 }

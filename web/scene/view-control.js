@@ -2,7 +2,7 @@
 import { OrbitControls, Vector3 } from './three.js';
 import * as THREE from './three.js';
 
-/** @typedef {'reset' | 'top' | 'side' | 'follow'} Preset */
+/** @typedef {'reset' | 'map' | 'top' | 'side' | 'follow'} Preset */
 
 const STEP_RAD = 0.1;
 const FIELD_OF_VIEW_DEG = 45;
@@ -23,10 +23,13 @@ export class ViewControl {
     this.preset('reset', null);
   }
 
-  /** @param {Preset} preset @param {THREE.Vector3 | null} body position of the followed body */
-  preset(preset, body) {
-    const center = this.extent.getCenter(new Vector3());
-    const size = this.extent.getSize(new Vector3());
+  /**
+   * @param {Preset} preset @param {THREE.Vector3 | null} body position of the followed body
+   * @param {THREE.Box3} [extent] what is brought into view
+   */
+  preset(preset, body, extent = this.extent) {
+    const center = extent.getCenter(new Vector3());
+    const size = extent.getSize(new Vector3());
     const radius = Math.max(1, 0.5 * Math.hypot(size.x, size.y, size.z));
     this.following = preset === 'follow';
     if (preset === 'follow' && body) {
@@ -39,24 +42,25 @@ export class ViewControl {
         top: [0, -1e-2, 1],
         side: [0, -1, 0.05],
         reset: [-0.35, -1, 0.8],
+        map: [-0.35, -1, 0.8],
         follow: [-0.35, -1, 0.8],
       };
       const direction = new Vector3().fromArray(directions[preset]).normalize();
       this.controls.target.copy(center);
-      this.camera.position.copy(center).addScaledVector(direction, this.#distanceToFit(direction));
+      this.camera.position.copy(center).addScaledVector(direction, this.#distanceToFit(direction, extent));
     }
     this.controls.update();
   }
 
   /**
    * Distance from the center at which all corners of the extent are in view.
-   * @param {THREE.Vector3} direction to the camera
+   * @param {THREE.Vector3} direction to the camera @param {THREE.Box3} extent
    */
-  #distanceToFit(direction) {
+  #distanceToFit(direction, extent) {
     const right = new Vector3(0, 0, 1).cross(direction).normalize();
     const up = direction.clone().cross(right);
     const tangent = Math.tan((FIELD_OF_VIEW_DEG / 2) * (Math.PI / 180));
-    const half = this.extent.getSize(new Vector3()).multiplyScalar(0.5);
+    const half = extent.getSize(new Vector3()).multiplyScalar(0.5);
     let distance = 0.5;
     for (let corner = 0; corner < 8; ++corner) {
       const offset = half

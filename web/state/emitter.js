@@ -7,11 +7,13 @@ export class Emitter {
   /**
    * @param {string} names kinds of change, separated by spaces
    * @param {() => void} listener
+   * @param {AbortSignal} [signal] ends the listening
    */
-  on(names, listener) {
+  on(names, listener, signal) {
     for (const name of names.split(' ')) {
       if (!this.#listeners.has(name)) this.#listeners.set(name, new Set());
       this.#listeners.get(name)?.add(listener);
+      signal?.addEventListener('abort', () => this.#listeners.get(name)?.delete(listener));
     }
   }
 

@@ -2,6 +2,9 @@
 import { lowerBound } from '../math/decimate.js';
 /** @typedef {import('./types.js').Vector} Vector */
 
+/** Number of positions above which every second one is left out. */
+const MAX_POSITIONS = 60000;
+
 export class PathStore {
   /** @type {number[]} */
   t = [];
@@ -29,6 +32,14 @@ export class PathStore {
     if (place < this.t.length) ++this.version;
     this.t.splice(place, 0, t);
     this.xyz.splice(3 * place, 0, ...xyz);
+    if (this.t.length > MAX_POSITIONS) this.#thin();
+  }
+
+  #thin() {
+    this.t = this.t.filter((_, i) => i % 2 === 0);
+    this.xyz = this.xyz.filter((_, i) => Math.floor(i / 3) % 2 === 0);
+    this.longestGapS *= 2;
+    ++this.version;
   }
 
   /** @param {number} t @returns {number} number of positions up to `t` */

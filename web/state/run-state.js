@@ -14,8 +14,11 @@ import { Series } from './series.js';
 const RECENT_SNAPSHOTS = 40;
 /** Missing frames above which a path that was put together from single snapshots has a gap. */
 const GAP_FRAMES = 20;
+/** Events above which the older half is forgotten. */
+const MAX_EVENTS = 20000;
 
-/** Emits `info`, `series`, `snapshot`, `image`, `observability`, and `decision-settings` when a viewer changed them. */
+/** Emits `info`, `series`, `snapshot`, `image`, `observability`, and `settings` when a viewer changed what
+ * `info` says of the decision or of the disturbances. */
 export class RunState extends Emitter {
   /** Number of the run at the program: a program with a page counts the runs that it starts. */
   index = 0;
@@ -86,21 +89,26 @@ export class RunState extends Emitter {
     const last = this.events[this.events.length - 1];
     const events = this.liveEvents.of(snapshot);
     if (!last || snapshot.frame > last.frame) this.events.push(...events);
+    if (this.events.length > MAX_EVENTS) this.events = this.events.slice(-MAX_EVENTS / 2);
     this.series.append(snapshot.t, snapshot.frame, snapshot.state, row, timing);
     this.emit('series');
-    this.#noteDecisionSettings(snapshot);
+    this.#noteInterventions(snapshot);
     this.#show(snapshot);
   }
 
-  /** Strategy and gaze that a viewer changed before this frame. @param {Snapshot} snapshot */
-  #noteDecisionSettings(snapshot) {
-    const settings = (snapshot.interventions ?? []).flatMap((intervention) => intervention.settings ?? []);
-    if (!this.info || settings.length === 0) return;
-    for (const setting of settings) {
-      const [, key, word] = setting.match(/^decision\.(strategy|gaze)=(.*)$/) ?? [];
-      if (key === 'strategy' || key === 'gaze') this.info[key] = word;
+  /** What viewers changed before this frame. @param {Snapshot} snapshot */
+  #noteInterventions({ interventions = [] }) {
+    const { info } = this;
+    if (!info || interventions.length === 0) return;
+    for (const { covered, sigma_gray, factor, settings = [] } of interventions) {
+      const changed = Object.entries({ covered, sigma_gray, factor }).filter(([, value]) => value !== undefined);
+      info.disturbed = { ...UNDISTURBED, ...info.disturbed, ...Object.fromEntries(changed) };
+      for (const setting of settings) {
+        const [, key, word] = setting.match(/^decision\.(strategy|gaze)=(.*)$/) ?? [];
+        if (key === 'strategy' || key === 'gaze') info[key] = word;
+      }
     }
-    this.emit('decision-settings');
+    this.emit('settings');
   }
 
   /** A frame of a finished run. @param {Snapshot} snapshot */
@@ -134,5 +142,18 @@ export class RunState extends Emitter {
   }
 }
 
+/** @type {import('./types.js').Disturbed} */
+export const UNDISTURBED = { covered: false, sigma_gray: 0, factor: 1 };
+
 /** @param {Info} info @returns {string} */
 export const scenarioOf = (info) => info.scenario ?? info.name;
+
+/**
+ * Beginning of the names of files saved from this run: its directory, or scenario and seed while it goes on.
+ * @param {RunState} run
+ */
+export function fileStem({ info }) {
+  if (!info) return 'run';
+  const name = info.scenario ? info.name : `${info.name}-seed-${info.seed}`;
+  return name.replace(/[^A-Za-z0-9._-]+/g, '-');
+}

@@ -22,8 +22,8 @@ export class Series {
     this.states = message.state;
     this.columns = withNaN(message.columns);
     this.timing = withNaN(message.timing_ms);
-    const step = message.t.length > 1 ? (message.frames - 1) / (message.t.length - 1) : 1;
-    this.frames = message.t.map((_, i) => message.first_frame + Math.round(i * step));
+    const step = message.frame_step ?? 1;
+    this.frames = message.t.map((_, i) => message.first_frame + i * step);
   }
 
   /**
@@ -38,6 +38,12 @@ export class Series {
     this.frames.push(frame);
     this.states.push(state);
     if (this.t.length > MAX_FRAMES) this.#thin();
+  }
+
+  /** Whether frames are missing, because they were thinned out or never reached this page. */
+  get hasGaps() {
+    const { length } = this.frames;
+    return length > 0 && this.frames[length - 1] - this.frames[0] !== length - 1;
   }
 
   #thin() {

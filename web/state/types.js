@@ -32,7 +32,10 @@
  * @property {string[]} [gazes]
  * @property {string} [strategy] in force
  * @property {string} [gaze] in force
+ * @property {Disturbed} [disturbed] of a live run
  */
+
+/** Disturbances in force. @typedef {{covered: boolean, sigma_gray: number, factor: number}} Disturbed */
 
 /**
  * @typedef {object} Match
@@ -86,7 +89,7 @@
  * @property {number[]} [landmark_ids]
  * @property {Landmark[]} [landmarks]
  * @property {Exploration} [exploration]
- * @property {{type: string, settings?: string[]}[]} [interventions] that took effect before this frame
+ * @property {({type: string, settings?: string[]} & Partial<Disturbed>)[]} [interventions] that took effect before this frame
  */
 
 /**
@@ -103,6 +106,7 @@
  * @property {RunEvent[]} events
  * @property {number} frames
  * @property {number} first_frame
+ * @property {number} [frame_step] frames from one row to the next; 1 if it is not said
  * @property {SeriesPath[]} [paths] one per body
  */
 

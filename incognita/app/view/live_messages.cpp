@@ -45,6 +45,21 @@ std::string first_comment(const std::string& toml) {
   return comment;
 }
 
+struct Noted {
+  Json& info;
+  void operator()(const CoverLens& i) const { info["disturbed"]["covered"] = i.covered; }
+  void operator()(const AddImageNoise& i) const { info["disturbed"]["sigma_gray"] = i.sigma_gray; }
+  void operator()(const ChangeLight& i) const { info["disturbed"]["factor"] = i.factor; }
+  void operator()(const ChangeDecision& i) const {
+    for (const std::string& setting : i.settings)
+      for (const std::string key : {"strategy", "gaze"}) {
+        const std::string assignment = "decision." + key + "=";
+        if (setting.starts_with(assignment)) info[key] = setting.substr(assignment.size());
+      }
+  }
+  void operator()(const auto&) const {}
+};
+
 }  // namespace
 
 std::string live_info_json(const LoadedScenario& loaded, const RunInfo& info, std::int64_t frames) {
@@ -54,6 +69,7 @@ std::string live_info_json(const LoadedScenario& loaded, const RunInfo& info, st
   json["expected_frames"] = frames;
   json["effective_toml"] = info.effective_toml;
   json["disturbances"] = possible_disturbances(loaded.scenario);
+  json["disturbed"] = {{"covered", false}, {"sigma_gray", 0}, {"factor", 1}};
   json["manual"] = can_be_taken_over(loaded.scenario);
   json["strategies"] = choices_of(loaded, "decision.strategy");
   json["gazes"] = choices_of(loaded, "decision.gaze");
@@ -62,13 +78,14 @@ std::string live_info_json(const LoadedScenario& loaded, const RunInfo& info, st
   return text_of(json);
 }
 
-std::string changed_info_json(const std::string& info_json, const ChangeDecision& change) {
+bool changes_info(const Intervention& intervention) {
+  return std::holds_alternative<CoverLens>(intervention) || std::holds_alternative<AddImageNoise>(intervention) ||
+         std::holds_alternative<ChangeLight>(intervention) || std::holds_alternative<ChangeDecision>(intervention);
+}
+
+std::string changed_info_json(const std::string& info_json, const Intervention& intervention) {
   Json json = Json::parse(info_json);
-  for (const std::string& setting : change.settings)
-    for (const std::string key : {"strategy", "gaze"}) {
-      const std::string assignment = "decision." + key + "=";
-      if (setting.starts_with(assignment)) json[key] = setting.substr(assignment.size());
-    }
+  std::visit(Noted{json}, intervention);
   return text_of(json);
 }
 

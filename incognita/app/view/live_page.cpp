@@ -76,11 +76,11 @@ void LivePage::begin(const RunInfo& info, std::int64_t frames) {
 }
 
 void LivePage::publish(const Snapshot& snapshot) {
-  for (const Intervention& intervention : snapshot.interventions)
-    if (const auto* change = std::get_if<ChangeDecision>(&intervention)) {
-      const std::lock_guard lock(mutex_);
-      current_->info_json = changed_info_json(current_->info_json, *change);
-    }
+  for (const Intervention& intervention : snapshot.interventions) {
+    if (!changes_info(intervention)) continue;
+    const std::lock_guard lock(mutex_);
+    current_->info_json = changed_info_json(current_->info_json, intervention);
+  }
   current_->history->add(snapshot);
   const auto shared = std::make_shared<const Snapshot>(snapshot);
   channel_->publish(shared);

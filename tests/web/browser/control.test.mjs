@@ -42,10 +42,16 @@ test('a pause stops time, a step is one frame, and as fast as possible is faster
 test('a refused command shows the message of the program', async (t) => {
   const run = await watchedRun(t, 'explore-room', ['--duration', '300']);
   const page = await openPage(t, run.address);
-  await page.getByLabel('light, × (1: as it is)').fill('-3');
+  await page.getByLabel('light, × (1: as it is)').fill('11');
   await page.locator('.row').filter({ hasText: 'light' }).getByRole('button', { name: 'set' }).click();
   const message = page.locator('.message');
   await message.waitFor();
   assert.match(await message.innerText(), /The program refused/);
-  assert.equal(await message.locator('pre').innerText(), 'intervention: factor = -3: must be 0 to 10');
+  assert.equal(await message.locator('pre').innerText(), 'intervention: factor = 11: must be 0 to 10');
+
+  await page.getByLabel('light, × (1: as it is)').fill('12');
+  await page.locator('.row').filter({ hasText: 'light' }).getByRole('button', { name: 'set' }).click();
+  await page.waitForFunction(() => document.querySelectorAll('.message').length === 2);
+  await message.first().getByRole('button').click();
+  assert.match(await message.innerText(), /factor = 12/);
 });

@@ -82,3 +82,31 @@ test('the strategy in force is shown: after a change, on a page opened later, an
   const later = await openPage(t, run.address);
   assert.equal(await later.getByLabel('strategy').inputValue(), 'random');
 });
+
+test('a page opened later shows the disturbances in force', async (t) => {
+  const run = await watchedRun(t, 'room', ['--seed', '3', '--duration', '60']);
+  const page = await openPage(t, run.address);
+  const light = (of) => of.locator('.disturbances .row').filter({ hasText: 'light' });
+  await page.getByLabel('cover the lens').check();
+  await use(page, 'light', 'set', { 'light, × (1: as it is)': 0.25 });
+  await light(page).getByText('now 0.25').waitFor();
+
+  const later = await openPage(t, run.address);
+  assert.equal(await later.getByLabel('cover the lens').isChecked(), true);
+  assert.match(await light(later).innerText(), /now 0.25/);
+  await later.getByLabel('cover the lens').uncheck();
+  await page.waitForFunction(() => window.incognita.runs[0].info.disturbed.covered === false);
+  assert.equal(await page.getByLabel('cover the lens').isChecked(), false);
+});
+
+test('an empty field is not sent', async (t) => {
+  const run = await watchedRun(t, 'room', ['--seed', '3', '--duration', '60']);
+  const page = await openPage(t, run.address);
+  await use(page, 'light', 'set', { 'light, × (1: as it is)': '' });
+  await use(page, 'light', 'set', { 'light, × (1: as it is)': 0.5 });
+  await page.waitForFunction(() => window.incognita.runs[0].info.disturbed.factor === 0.5);
+  await page.getByRole('button', { name: 'Stop', exact: true }).click();
+  await page.locator('.loop-state[data-state=ended]').waitFor();
+  assert.deepEqual(interventions(run.folder).map(({ intervention }) => intervention), [{ type: 'light', factor: 0.5 }]);
+  assert.equal(await page.locator('.message').count(), 0);
+});

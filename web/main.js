@@ -44,7 +44,16 @@ async function start() {
     setTimeout(start, RETRY_MS);
     return;
   }
-  buildPage(new Session(mode));
+  const earlier = earlierRun(mode);
+  if (earlier === null) buildPage(new Session(mode), mode.mode === 'live' ? [mode.runs.length - 1] : [0, 1]);
+  else buildPage(new Session({ ...mode, mode: 'replay', control: false }), [earlier]);
+}
+
+/** The parameter `run` of the address of a live page names a run that has ended. @param {Mode} mode */
+function earlierRun({ mode, runs }) {
+  const asked = new URLSearchParams(location.search).get('run');
+  const index = asked === null ? NaN : Number(asked);
+  return mode === 'live' && Number.isInteger(index) && index >= 0 && index < runs.length - 1 ? index : null;
 }
 
 /** @param {string} message of the program */
@@ -55,17 +64,17 @@ function showTokenError(message) {
   );
 }
 
-/** @param {Session} session */
-function buildPage(session) {
+/** @param {Session} session @param {number[]} indices of the shown runs, as far as there are so many */
+function buildPage(session, indices) {
   const { mode, runs: named, version } = session.mode;
   if (named.length === 0) {
     byId('runs').textContent = 'The program shows no run.';
     return;
   }
-  const shown = named.slice(0, mode === 'live' ? 1 : 2);
-  const runs = shown.map(() => new RunState());
+  const shown = indices.filter((index) => index < named.length);
+  const runs = shown.map((index) => new RunState(index));
   const clock = new Clock(runs);
-  const views = runs.map((run, k) => runView(run, shown[k].name, session, clock));
+  const views = runs.map((run, k) => runView(run, named[shown[k]].name, session, clock));
   const replays = runs.map(
     (run) =>
       new ReplayRun(run, (text, error) => {
@@ -80,7 +89,7 @@ function buildPage(session) {
   session.on('loop', showMode);
   showMode();
   const showTitle = () =>
-    (document.title = `${runs.map((run, k) => run.info?.name ?? shown[k].name).join(' and ')} – incognita`);
+    (document.title = `${runs.map((run, k) => run.info?.name ?? named[shown[k]].name).join(' and ')} – incognita`);
   runs.forEach((run) => run.on('info', showTitle));
   showTitle();
   byId('runs').classList.toggle('two', runs.length > 1);
@@ -170,8 +179,8 @@ async function readWholeSeries(run, session) {
 async function startReplay(runs, session, clock) {
   try {
     await Promise.all(
-      runs.map(async (run, index) => {
-        run.index = index;
+      runs.map(async (run) => {
+        const { index } = run;
         const [info, series, observability] = await Promise.all([
           fetchInfo(index),
           fetchSeries(index),

@@ -20,8 +20,6 @@ const MAX_EVENTS = 20000;
 /** Emits `info`, `series`, `snapshot`, `image`, `observability`, and `settings` when a viewer changed what
  * `info` says of the decision or of the disturbances. */
 export class RunState extends Emitter {
-  /** Number of the run at the program: a program with a page counts the runs that it starts. */
-  index = 0;
   sequence = new SequenceMonitor();
   /** @type {Info | null} */
   info = null;
@@ -40,6 +38,12 @@ export class RunState extends Emitter {
   /** @type {{estimate: PathStore, truth: PathStore}[]} one per body */
   paths = [];
   liveEvents = new LiveEvents();
+
+  /** @param {number} [index] number of the run at the program, which counts the runs that it starts */
+  constructor(index = 0) {
+    super();
+    this.index = index;
+  }
 
   /** Forgets everything, for a new run. @param {number} index */
   reset(index) {

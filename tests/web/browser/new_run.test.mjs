@@ -35,6 +35,13 @@ test('a wrong setting shows the message of the program, a right one starts a run
   const settings = readFileSync(join(`${run.folder}-2`, 'effective.toml'), 'utf8');
   assert.match(settings, /^seed = 7 /m);
   assert.match(settings, /^duration_s = 2\.0 /m);
+
+  const opened = page.waitForEvent('popup');
+  await page.getByLabel('earlier runs').selectOption({ label: '1: room' });
+  const replay = await opened;
+  await replay.waitForFunction(() => window.incognita?.snapshot?.frame === 0);
+  assert.match(await replay.locator('.run-name').innerText(), /^room, seed 1/);
+  assert.match(await replay.locator('#mode').innerText(), /^replay/);
 });
 
 test('another run offers the scenario of the one before, whatever the name of its run directory', async (t) => {

@@ -18,17 +18,21 @@ export function showHead(campaign, names) {
     missing ? `${missing} not ended` : '',
   ];
   byId('about').textContent = counts.filter(Boolean).join(', ');
-  showLegends(campaign.confidence);
+  showLegends(campaign.confidence, campaign.seeds.length);
   byId('failures').hidden = failed + missing === 0;
   byId('failures-list').replaceChildren(failures(campaign, names));
 }
 
-/** @param {number} confidence of the intervals */
-function showLegends(confidence) {
+/** Pairs below which an interval is not computed. */
+const LEAST_PAIRS = 5;
+
+/** @param {number} confidence of the intervals @param {number} seeds */
+function showLegends(confidence, seeds) {
   const level = percent(confidence);
   byId('legend').textContent =
     `${level} interval of the paired difference, by variant: ▼ lower than the baseline, ▲ higher, ` +
-    `· contains 0. Of equal variants ${percent(1 - confidence)} of the intervals exclude 0 by chance.`;
+    `· contains 0. Of equal variants ${percent(1 - confidence)} of the intervals exclude 0 by chance.` +
+    (seeds < LEAST_PAIRS ? ` These are too few seeds for any interval: it takes ${LEAST_PAIRS}.` : '');
   byId('key').textContent =
     `A dot per seed. Diamond and bar: the mean and its ${level} interval. × a failed run, – a run ` +
     'without a value. Point at a dot to see its seed in every row.';

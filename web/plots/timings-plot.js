@@ -11,7 +11,8 @@ const ABOUT =
   'simulation computes, and the writing of files.';
 
 const d3 = /** @type {any} */ (globalThis).d3;
-const FRAMES = 60;
+/** Frames that the medians are of. */
+export const FRAMES = 60;
 const LARGEST = 6;
 const COLORS = ['--blue', '--orange', '--green', '--purple', '--vermilion', '--sky', '--yellow', '--gray'];
 const LEFT = 4;
@@ -67,7 +68,7 @@ export class TimingsPlot {
       'budget-text',
       LEFT,
       11,
-      `frame, median of ${FRAMES}: ${shortNumber(middle)} of ${shortNumber(budget)} ms,` +
+      `frame ${shortNumber(middle)} of ${shortNumber(budget)} ms,` +
         ` ${Math.round((100 * middle) / budget)} %${over ? ': over budget' : ''}`,
     );
     this.#bar('budget', LEFT, 16, x(budget), 8, '--line');

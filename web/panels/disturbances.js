@@ -75,7 +75,7 @@ function imageNoise(session) {
 /** @param {Session} session @returns {Disturbance} */
 function light(session) {
   const factor = number('light, × (1: as it is)', 0.5, 0);
-  const made = oneNumber(session, 'light', factor, '× (1: as it is)', () => ({
+  const made = oneNumber(session, 'light', factor, '×', () => ({
     type: 'light',
     factor: factor.valueAsNumber,
   }));

@@ -72,7 +72,6 @@ export function scenePanel(run) {
       'header',
       {},
       element('h2', {}, 'Scene'),
-      element('span', { class: 'note' }),
       element(
         'div',
         { class: 'buttons', role: 'group', 'aria-label': 'View' },

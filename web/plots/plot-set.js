@@ -8,7 +8,7 @@ import { onDemand } from '../state/draw-scheduler.js';
 import { fileStem } from '../state/run-state.js';
 import { LinePlot } from './line-plot.js';
 import { saveSvg } from './save-svg.js';
-import { FRAMES, TimingsPlot } from './timings-plot.js';
+import { TimingsPlot } from './timings-plot.js';
 /** @typedef {import('../state/clock.js').Clock} Clock */
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 /** @typedef {import('./line-plot.js').PlotData} PlotData */
@@ -64,7 +64,7 @@ export class PlotSet {
       this.#panel('Entropies', 'entropies', [this.entropy], 'ticks: new landmarks'),
       this.#panel('Pose errors and ±2σ bounds', 'errors', this.errors),
       this.#panel('Innovations', 'nis', [this.nis]),
-      this.#panel('Stage timings', 'timings', [this.timings], `medians of ${FRAMES} frames`),
+      this.#panel('Stage timings', 'timings', [this.timings]),
     );
     this.draw = onDemand(() => this.drawNow(), REDRAW_MS);
     run.on('info', () => {

@@ -7,12 +7,12 @@ import { shortNumber } from './line-plot.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 
 const ABOUT =
-  'Frame: estimator, decision and control, against the time between two frames. Stages: also the sensor, which a ' +
-  'simulation computes, and the writing of files.';
+  'Medians of 60 frames. Frame: estimator, decision and control, against the time between two frames. Stages: also ' +
+  'the sensor, which a simulation computes, and the writing of files.';
 
 const d3 = /** @type {any} */ (globalThis).d3;
 /** Frames that the medians are of. */
-export const FRAMES = 60;
+const FRAMES = 60;
 const LARGEST = 6;
 const COLORS = ['--blue', '--orange', '--green', '--purple', '--vermilion', '--sky', '--yellow', '--gray'];
 const LEFT = 4;
@@ -86,7 +86,7 @@ export class TimingsPlot {
       start += stage.ms * scale;
       return { ...stage, x, width: stage.ms * scale, color: COLORS[k] };
     });
-    this.#text('stages-text', LEFT, 41, `stages and sensor: ${shortNumber(total)} ms`);
+    this.#text('stages-text', LEFT, 41, `stages and sensor ${shortNumber(total)} ms`);
     this.root
       .selectAll('rect.stage')
       .data(placed)

@@ -1,5 +1,6 @@
 #include "incognita/live/foxglove_channel.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "incognita/live/foxglove_messages.hpp"
@@ -11,6 +12,34 @@ namespace {
 constexpr std::size_t most_subscriptions = 100;  // of one client
 
 std::size_t index_of(const Topic& topic) { return static_cast<std::size_t>(&topic - all_topics().data()); }
+
+using Subscriptions = std::map<std::uint32_t, std::size_t>;
+
+bool want(const Subscriptions& subscriptions, const Topic& topic) {
+  return std::any_of(subscriptions.begin(), subscriptions.end(),
+                     [&](const auto& entry) { return entry.second == index_of(topic); });
+}
+
+void send_to(Viewer& viewer, const Subscriptions& subscriptions, const Topic& topic, std::uint64_t time_ns,
+             const std::shared_ptr<const std::string>& body) {
+  for (const auto& [subscription, index] : subscriptions) {
+    if (index != index_of(topic)) continue;
+    LiveMessage out{body, foxglove::message_header(subscription, time_ns)};
+    out.binary = out.droppable = true;
+    viewer.send(std::move(out));
+  }
+}
+
+/// A single client.
+struct OneClient final : TopicSink {
+  OneClient(Viewer& to, const Subscriptions& those) : viewer(to), subscriptions(those) {}
+  bool wants(const Topic& topic) const override { return want(subscriptions, topic); }
+  void put(const Topic& topic, std::uint64_t time_ns, std::string message) override {
+    send_to(viewer, subscriptions, topic, time_ns, std::make_shared<const std::string>(std::move(message)));
+  }
+  Viewer& viewer;
+  const Subscriptions& subscriptions;
+};
 
 }  // namespace
 
@@ -40,21 +69,13 @@ void FoxgloveChannel::deliver(Waiting& mailbox) {
 }
 
 bool FoxgloveChannel::wants(const Topic& topic) const {
-  for (const auto& [id, client] : clients_)
-    for (const auto& [subscription, index] : client.topics)
-      if (index == index_of(topic)) return true;
-  return false;
+  return std::any_of(clients_.begin(), clients_.end(),
+                     [&](const auto& client) { return want(client.second.topics, topic); });
 }
 
 void FoxgloveChannel::put(const Topic& topic, std::uint64_t time_ns, std::string message) {
   const auto body = std::make_shared<const std::string>(std::move(message));
-  for (auto& [id, client] : clients_)
-    for (const auto& [subscription, index] : client.topics) {
-      if (index != index_of(topic)) continue;
-      LiveMessage out{body, foxglove::message_header(subscription, time_ns)};
-      out.binary = out.droppable = true;
-      client.viewer->send(std::move(out));
-    }
+  for (auto& [id, client] : clients_) send_to(*client.viewer, client.topics, topic, time_ns, body);
 }
 
 void FoxgloveChannel::send(Viewer& viewer, std::string json) {
@@ -72,15 +93,23 @@ void FoxgloveChannel::left(std::uint64_t id) { clients_.erase(id); }
 void FoxgloveChannel::change_subscriptions(Client& client, std::string_view message) {
   const foxglove::Request asked = foxglove::request(message);
   for (const std::uint32_t subscription : asked.unsubscribe) client.topics.erase(subscription);
+  Client subscribed{client.viewer};
   for (const auto& [subscription, channel] : asked.subscribe) {
     if (channel >= all_topics().size()) throw InputError("there is no channel " + std::to_string(channel));
     if (client.topics.size() >= most_subscriptions)
       throw InputError("at most 100 subscriptions are possible");
-    client.topics[subscription] = channel;
+    subscribed.topics[subscription] = client.topics[subscription] = channel;
   }
-  if (asked.subscribe.empty() || !topics_) return;
-  topics_->repeat();
-  if (last_) topics_->publish(*last_, *this);  // a paused run has no next snapshot soon
+  repeat_last_to(subscribed);
+}
+
+/// With all that is due once or rarely: a paused run has no next snapshot soon.
+void FoxgloveChannel::repeat_last_to(const Client& newly_subscribed) {
+  if (newly_subscribed.topics.empty() || !topics_ || !last_) return;
+  SnapshotTopics once = *topics_;
+  once.repeat();
+  OneClient sink(*newly_subscribed.viewer, newly_subscribed.topics);
+  once.publish(*last_, sink);
 }
 
 void FoxgloveChannel::received(std::uint64_t id, std::string_view message, bool binary) {

@@ -34,7 +34,8 @@ class FoxgloveChannel final : public ViewerProtocol, private TopicSink {
     std::map<std::uint32_t, std::size_t> topics = {};  ///< by subscription, an index of all_topics()
   };
   void deliver(Waiting& mailbox);
-  void send(Viewer& viewer, std::string json);
+  static void send(Viewer& viewer, std::string json);
+  void repeat_last_to(const Client& newly_subscribed);
   void change_subscriptions(Client& client, std::string_view message);
   bool wants(const Topic& topic) const override;
   void put(const Topic& topic, std::uint64_t time_ns, std::string message) override;

@@ -122,8 +122,11 @@ std::string SeriesHistory::json() const {
   const Rows rows{kept.rows, width_};
   const std::int64_t stride = stride_;
   lock.unlock();
-  Json json{
-      {"t", column_of(rows, 0)}, {"frames", kept.frames}, {"first_frame", 0}, {"frame_step", stride}, {"state", states_of(rows)}};
+  Json json{{"t", column_of(rows, 0)},
+            {"frames", kept.frames},
+            {"first_frame", 0},
+            {"frame_step", stride},
+            {"state", states_of(rows)}};
   std::size_t at = 2;
   Json& columns = json["columns"] = Json::object();
   for (const std::string& name : names_) columns[name] = column_of(rows, at++);

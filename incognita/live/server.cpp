@@ -259,6 +259,9 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
                const std::string& why) {
     if (!why.empty()) return refuse(403, why);
     if (asked.path != websocket_path) return refuse(404, "WebSockets are at /ws");
+    if (buffer_.size() > 0)
+      return refuse(400,
+                    "data follow the request for a WebSocket; wait for its answer (RFC 6455, Section 4.1)");
     const std::string offered(view_of(request[http::field::sec_websocket_protocol]));
     for (const auto& [name, protocol] : shared_.handlers.protocols) {
       if (!http::token_list(offered).exists(name)) continue;

@@ -67,7 +67,7 @@ void Recorder::publish(const Snapshot& snapshot) {
   write_pose(snapshot);
   write_series(snapshot);
   write_matches(snapshot);
-  write_interventions(snapshot);
+  log(snapshot.tick, snapshot.interventions);
   bodies_->publish(snapshot);
   timings_.add(snapshot);
   log_->publish(snapshot);
@@ -119,11 +119,11 @@ void Recorder::write_matches(const Snapshot& snapshot) {
     matches_.append(match_row(snapshot.tick.t, match), snapshot.tick.t);
 }
 
-void Recorder::write_interventions(const Snapshot& snapshot) {
-  if (snapshot.interventions.empty()) return;
+void Recorder::log(const Tick& tick, const std::vector<Intervention>& interventions) {
+  if (interventions.empty()) return;
   if (!interventions_.is_open()) interventions_ = RowFile(directory_.file("interventions.jsonl"), "");
-  for (const Intervention& intervention : snapshot.interventions)
-    interventions_.append(log_row(snapshot.tick.frame, snapshot.tick.t, intervention), snapshot.tick.t);
+  for (const Intervention& intervention : interventions)
+    interventions_.append(log_row(tick.frame, tick.t, intervention), tick.t);
 }
 
 void Recorder::refresh_summary(double t_s) {

@@ -49,6 +49,8 @@ class Recorder {
 
   /// Throws RecordError if a write fails; the caller then calls finish() with that reason. What was recorded stays.
   void publish(const Snapshot& snapshot);
+  /// Interventions of a tick without a snapshot, since it failed.
+  void log(const Tick& tick, const std::vector<Intervention>& interventions);
 
   /// Adds a field to summary.json. Throws std::invalid_argument for a name that its schema defines.
   void note(const std::string& key, SummaryValue value) { summary_.note(key, std::move(value)); }
@@ -68,7 +70,6 @@ class Recorder {
   void write_pose(const Snapshot& snapshot);
   void write_series(const Snapshot& snapshot);
   void write_matches(const Snapshot& snapshot);
-  void write_interventions(const Snapshot& snapshot);
   void refresh_summary(double t_s);
   void open_series();
   void write_series_mat() const;

@@ -40,4 +40,9 @@ incognita_test(run_description_test SOURCES app/run_description_test.cpp USES in
 incognita_test(room_vehicle_test SOURCES app/room_vehicle_test.cpp USES incognita::app)
 incognita_test(combinations_test SOURCES app/combinations_test.cpp app/sensor_combinations_test.cpp USES incognita::app)
 incognita_test(laboratory_test SOURCES app/laboratory_test.cpp USES incognita_app_laboratory)
+# Compiles what the program alone contains
+incognita_test(failed_tick_test SOURCES app/failed_tick_test.cpp
+                                        ${PROJECT_SOURCE_DIR}/incognita/app/loop/scenario_run.cpp
+               USES incognita::app fmt::fmt)
+target_compile_definitions(failed_tick_test PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
 incognita_test(live_control_test SOURCES app/live_control_test.cpp USES incognita_app_view)

@@ -134,6 +134,19 @@ TEST(Server, BoundsChunksAndTrailers) {
   EXPECT_TRUE(served.logs("too large"));
 }
 
+TEST(Server, RefusesFramesBeforeTheAnswerToTheUpgrade) {
+  Served served;
+  RawConnection hasty(served.port);
+  hasty.send(
+      "GET /ws HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(served.port) +
+      "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+      "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Protocol: incognita.v1\r\n\r\n"
+      "\x81\x80"
+      "mask");
+  EXPECT_TRUE(hasty.is_closed_within(5));
+  EXPECT_TRUE(served.logs("wait for its answer"));
+}
+
 TEST(Server, RefusesAnotherOrigin) {
   Served served;
   const testing::Headers evil{{"Origin", "http://evil.example"}};

@@ -35,6 +35,9 @@ class RecorderSink : public RunSink {
   RecorderSink(Options options, const RunInfo& info, std::int64_t frames);
 
   void publish(const Snapshot& snapshot) override;
+  void log(const Tick& tick, const std::vector<Intervention>& interventions) override {
+    recorder_.log(tick, interventions);
+  }
   void note(const ObservabilityReport& report, const std::vector<std::string>& in_words) override;
   void note(const std::string& key, const SummaryValue& value) override { recorder_.note(key, value); }
   RunOutcome finish(RunStatus status, const std::string& reason,

@@ -95,6 +95,7 @@ void Interventions::apply(const Intervention& intervention) {
 
 void Interventions::apply_due(const Tick& tick) {
   taken_.clear();
+  tick_ = tick;
   for (Intervention& intervention : source_.due(tick)) {
     try {
       apply(intervention);

@@ -25,7 +25,9 @@ class Interventions {
 
   /// Applies what is due before the motion of this tick.
   void apply_due(const Tick& tick);
-  /// Those that were applied at the last tick.
+  /// The last tick that interventions were applied at.
+  const Tick& tick() const { return tick_; }
+  /// Those that were applied at it.
   const std::vector<Intervention>& taken() const { return taken_; }
 
  private:
@@ -40,6 +42,7 @@ class Interventions {
   std::size_t bodies_;
   bool has_images_, controlled_;
   std::vector<std::string> settings_;  ///< changes so far
+  Tick tick_;
   std::vector<Intervention> taken_;
 };
 

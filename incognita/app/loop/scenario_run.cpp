@@ -92,6 +92,9 @@ RunConclusion drive(LoopParts& parts, RunSink& sink, ObservabilityWatch* watch, 
   try {
     run_loop(parts, publish, keep_going, watching);
   } catch (const std::exception& error) {
+    const bool published =
+        progress.frames > 0 && interventions && progress.last.tick.frame >= interventions->tick().frame;
+    if (interventions && !published) sink.log(interventions->tick(), interventions->taken());
     return {RunStatus::failed, fmt::format("at frame {}: {}", progress.last.tick.frame + 1, error.what())};
   }
   RunConclusion conclusion = conclusion_of(progress);

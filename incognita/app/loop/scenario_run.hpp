@@ -21,6 +21,8 @@ class RunSink {
  public:
   virtual ~RunSink() = default;
   virtual void publish(const Snapshot& snapshot) = 0;
+  /// Interventions of a tick that failed: it has no snapshot.
+  virtual void log(const Tick&, const std::vector<Intervention>&) {}
   /// Observability report, once at the end; also as text.
   virtual void note(const ObservabilityReport& report, const std::vector<std::string>& in_words) = 0;
   /// Adds a field to the summary.

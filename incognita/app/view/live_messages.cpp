@@ -79,8 +79,10 @@ std::string live_info_json(const LoadedScenario& loaded, const RunInfo& info, st
 }
 
 bool changes_info(const Intervention& intervention) {
-  return std::holds_alternative<CoverLens>(intervention) || std::holds_alternative<AddImageNoise>(intervention) ||
-         std::holds_alternative<ChangeLight>(intervention) || std::holds_alternative<ChangeDecision>(intervention);
+  return std::holds_alternative<CoverLens>(intervention) ||
+         std::holds_alternative<AddImageNoise>(intervention) ||
+         std::holds_alternative<ChangeLight>(intervention) ||
+         std::holds_alternative<ChangeDecision>(intervention);
 }
 
 std::string changed_info_json(const std::string& info_json, const Intervention& intervention) {

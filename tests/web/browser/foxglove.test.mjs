@@ -91,6 +91,27 @@ test('nothing comes after unsubscribe, and wrong requests are answered', async (
   assert.equal(count(ended), endedThen);
 });
 
+test('a client that subscribes in a pause gets the last snapshot, and the others get nothing', async (t) => {
+  const run = await watchedRun(t, 'explore-room', ['--duration', '60']);
+  const viewer = await connectViewer(t, run.address);
+  const first = await connectFoxglove(t, run.address);
+  const counts = [0, 0];
+  first.client.on('message', () => ++counts[0]);
+  first.channels.forEach(({ id }) => first.client.subscribe(id));
+  await until(() => counts[0] > 5, 'messages');
+  viewer.send({ type: 'pause' });
+  await until(() => viewer.state?.paused, 'the pause');
+  await new Promise((resolve) => setTimeout(resolve, 500));  // what was on its way
+
+  const before = counts[0];
+  const second = await connectFoxglove(t, run.address);
+  const topics = new Set();
+  second.client.on('message', ({ subscriptionId }) => topics.add(subscriptionId));
+  second.channels.forEach(({ id }) => second.client.subscribe(id));
+  await until(() => topics.size === second.channels.length, 'a message of every topic');
+  assert.equal(counts[0], before);
+});
+
 test('another site is refused unless it is allowed', async (t) => {
   const allowed = 'https://app.foxglove.dev';
   const run = await watchedRun(t, 'explore-room', ['--duration', '60', '--allow-origin', allowed]);

@@ -48,7 +48,7 @@ export class MarkerCloud {
   /** @param {number} size px of the page */
   constructor(size) {
     this.uniforms = {
-      size: { value: size * window.devicePixelRatio },
+      size: { value: size },
       outline: { value: new THREE.Color() },
     };
     const material = new THREE.ShaderMaterial({
@@ -59,6 +59,7 @@ export class MarkerCloud {
     this.points = new THREE.Points(this.#geometry, material);
     this.points.frustumCulled = false;
     this.points.renderOrder = 3;
+    this.points.onBeforeRender = (renderer) => (this.uniforms.size.value = size * renderer.getPixelRatio());
     this.#reserve(128);
   }
 

@@ -184,9 +184,8 @@ export class SceneView {
     this.renderer.setSize(width, height, false);
     this.view.camera.aspect = width / height;
     this.view.camera.updateProjectionMatrix();
-    const size = this.renderer.getDrawingBufferSize(new THREE.Vector2());
     for (const path of this.#paths)
-      for (const line of [path.estimate, path.truth]) line.uniforms.resolution.value.copy(size);
+      for (const line of [path.estimate, path.truth]) line.uniforms.resolution.value.set(width, height);
     this.draw();
   }
 

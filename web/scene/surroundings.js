@@ -14,7 +14,7 @@ export class Surroundings {
   room = new THREE.Group();
   terrain = new THREE.Group();
   #unseenMaterial = new THREE.PointsMaterial({
-    size: 2 * window.devicePixelRatio,
+    size: 2,
     sizeAttenuation: false,
     transparent: true,
     opacity: 0.45,

@@ -42,11 +42,11 @@ export class ThickLine {
   #buffer = new THREE.InstancedInterleavedBuffer(this.#numbers, STRIDE, 1);
   #geometry = new THREE.InstancedBufferGeometry();
 
-  /** @param {number} widthPx @param {number} dashM length of a dash with its gap, m; 0: solid */
+  /** @param {number} widthPx px of the page, as `resolution` @param {number} dashM length of a dash with its gap, m; 0: solid */
   constructor(widthPx, dashM) {
     this.uniforms = {
       resolution: { value: new THREE.Vector2(1, 1) },
-      width: { value: widthPx * window.devicePixelRatio },
+      width: { value: widthPx },
       color: { value: new THREE.Color() },
       dash: { value: dashM },
     };

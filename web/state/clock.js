@@ -30,7 +30,8 @@ export class Clock extends Emitter {
   /** Times that plots show: all, or `span` around the shown time. @returns {[number, number]} */
   get shownRange() {
     const [first, last] = this.range;
-    const end = this.replaying ? Math.min(last, this.time + this.span / 2) : last;
+    const middle = Math.max(this.time, first + this.span / 2);
+    const end = this.replaying ? Math.min(last, middle + this.span / 2) : last;
     return [Math.max(first, end - this.span), Math.max(end, first + 1e-3)];
   }
 

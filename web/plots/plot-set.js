@@ -167,7 +167,7 @@ export class PlotSet {
 function entropyLines(column) {
   return ENTROPIES.flatMap((style) => {
     const values = column(style.column);
-    return values ? [{ ...style, values }] : [];
+    return values?.some(Number.isFinite) ? [{ ...style, values }] : [];
   });
 }
 

@@ -26,7 +26,7 @@ export function controlPanel(run, session) {
     if (!info) return;
     // A page that connects again keeps its inputs
     const offered = session.loop.ended ? 'ended' : offeredBy(info);
-    if (offered === builtFor) return update();
+    if (offered === builtFor) return;
     builtFor = offered;
     groups.forEach((group) => group.release?.());
     groups = session.loop.ended ? [] : controlGroups(run, info, session);
@@ -37,7 +37,10 @@ export function controlPanel(run, session) {
     paused.hidden = !session.loop.paused;
     build();
   };
-  run.on('info', build);
+  run.on('info', () => {
+    build();
+    update();
+  });
   session.on('loop', showLoop);
   run.on('settings', update);
   session.on('message', update);

@@ -102,10 +102,11 @@ export class PlotSet {
    */
   #drawErrors(t, range, column) {
     const data = ERRORS.map(([name]) => ({ t, range, ...errorData(name, column) }));
+    const leftOut = data.map((of) => t.length > 0 && isConstant(of));
     this.errors.forEach((plot, k) => {
-      /** @type {HTMLElement} */ (plot.svg.parentElement).hidden = t.length > 0 && isConstant(data[k]);
+      /** @type {HTMLElement} */ (plot.svg.parentElement).hidden = leftOut[k];
     });
-    this.errors.forEach((plot, k) => isConstant(data[k]) || plot.draw(data[k]));
+    this.errors.forEach((plot, k) => leftOut[k] || plot.draw(data[k]));
   }
 
   #initializations() {

@@ -68,6 +68,16 @@ std::vector<std::string> warnings_of(const RunProgress& progress, const Scenario
   return warnings;
 }
 
+/// What a person did at a tick that failed before its snapshot. The failure itself is what must be told.
+void log_failed_tick(const RunProgress& progress, const Interventions& interventions, RunSink& sink) {
+  const bool published = progress.frames > 0 && progress.last.tick.frame >= interventions.tick().frame;
+  if (published) return;
+  try {
+    sink.log(interventions.tick(), interventions.taken());
+  } catch (const std::exception&) {  // finish() reports a disk that is full
+  }
+}
+
 RunConclusion drive(LoopParts& parts, RunSink& sink, ObservabilityWatch* watch, AssociationScore* score,
                     const RunCallbacks& callbacks, const Scenario& scenario) {
   RunProgress progress;
@@ -92,9 +102,7 @@ RunConclusion drive(LoopParts& parts, RunSink& sink, ObservabilityWatch* watch, 
   try {
     run_loop(parts, publish, keep_going, watching);
   } catch (const std::exception& error) {
-    const bool published =
-        progress.frames > 0 && interventions && progress.last.tick.frame >= interventions->tick().frame;
-    if (interventions && !published) sink.log(interventions->tick(), interventions->taken());
+    if (interventions) log_failed_tick(progress, *interventions, sink);
     return {RunStatus::failed, fmt::format("at frame {}: {}", progress.last.tick.frame + 1, error.what())};
   }
   RunConclusion conclusion = conclusion_of(progress);

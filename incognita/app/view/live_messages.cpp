@@ -45,6 +45,14 @@ std::string first_comment(const std::string& toml) {
   return comment;
 }
 
+/// Other interventions are over at once, or snapshots tell what they do.
+bool stays_in_force(const Intervention& intervention) {
+  return std::holds_alternative<CoverLens>(intervention) ||
+         std::holds_alternative<AddImageNoise>(intervention) ||
+         std::holds_alternative<ChangeLight>(intervention) ||
+         std::holds_alternative<ChangeDecision>(intervention);
+}
+
 struct Noted {
   Json& info;
   void operator()(const CoverLens& i) const { info["disturbed"]["covered"] = i.covered; }
@@ -78,16 +86,11 @@ std::string live_info_json(const LoadedScenario& loaded, const RunInfo& info, st
   return text_of(json);
 }
 
-bool changes_info(const Intervention& intervention) {
-  return std::holds_alternative<CoverLens>(intervention) ||
-         std::holds_alternative<AddImageNoise>(intervention) ||
-         std::holds_alternative<ChangeLight>(intervention) ||
-         std::holds_alternative<ChangeDecision>(intervention);
-}
-
-std::string changed_info_json(const std::string& info_json, const Intervention& intervention) {
+std::optional<std::string> changed_info_json(const std::string& info_json,
+                                             const std::vector<Intervention>& interventions) {
+  if (std::none_of(interventions.begin(), interventions.end(), stays_in_force)) return std::nullopt;
   Json json = Json::parse(info_json);
-  std::visit(Noted{json}, intervention);
+  for (const Intervention& intervention : interventions) std::visit(Noted{json}, intervention);
   return text_of(json);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,10 @@ namespace incognita {
 /// What is known of a run before its first frame, as JSON: docs/live-page.md. `frames`: expected; 0: unknown.
 std::string live_info_json(const LoadedScenario& loaded, const RunInfo& info, std::int64_t frames);
 
-/// Whether an intervention changes what `live_info_json` says; the others are over at once, or snapshots tell.
-bool changes_info(const Intervention& intervention);
-
-/// The same after a viewer has changed the strategy, the gaze, or a disturbance that stays in force.
-std::string changed_info_json(const std::string& info_json, const Intervention& intervention);
+/// The same after interventions that changed the strategy, the gaze, or a disturbance that stays in force; nothing if there
+/// is none among them.
+std::optional<std::string> changed_info_json(const std::string& info_json,
+                                             const std::vector<Intervention>& interventions);
 
 /// What the observability monitor says, as JSON fields without braces: "lines" and "directions".
 std::string observability_fields(const ObservabilityReport& report);

@@ -76,10 +76,9 @@ void LivePage::begin(const RunInfo& info, std::int64_t frames) {
 }
 
 void LivePage::publish(const Snapshot& snapshot) {
-  for (const Intervention& intervention : snapshot.interventions) {
-    if (!changes_info(intervention)) continue;
+  if (auto changed = changed_info_json(current_->info_json, snapshot.interventions)) {
     const std::lock_guard lock(mutex_);
-    current_->info_json = changed_info_json(current_->info_json, intervention);
+    current_->info_json = *std::move(changed);
   }
   current_->history->add(snapshot);
   const auto shared = std::make_shared<const Snapshot>(snapshot);

@@ -56,3 +56,15 @@ test('another run offers the scenario of the one before, whatever the name of it
   await dialog.locator('.answer', { hasText: '✓' }).waitFor();
   assert.equal(await dialog.getByLabel('scenario').inputValue(), 'explore-room');
 });
+
+test('the plots of the run before are empty until the first frame of the next', async (t) => {
+  const run = await watchedRun(t, 'room', ['--duration', '60']);
+  const page = await openPage(t, run.address);
+  const lines = () => page.evaluate(() => document.querySelectorAll('.plot .lines path[d]').length);
+  await page.waitForFunction(() => window.incognita.snapshot?.t > 1);
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await page.locator('.loop-state[data-state=paused]').waitFor();
+  assert(await lines() >= 8, `${await lines()} lines`);
+  await page.evaluate(() => window.incognita.runs[0].reset(1));
+  await page.waitForFunction(() => !document.querySelector('.plot .lines path[d]'));
+});

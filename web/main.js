@@ -44,16 +44,12 @@ async function start() {
     setTimeout(start, RETRY_MS);
     return;
   }
-  const earlier = earlierRun(mode);
-  if (earlier === null) buildPage(new Session(mode), mode.mode === 'live' ? [mode.runs.length - 1] : [0, 1]);
-  else buildPage(new Session({ ...mode, mode: 'replay', control: false }), [earlier]);
-}
-
-/** The parameter `run` of the address of a live page names a run that has ended. @param {Mode} mode */
-function earlierRun({ mode, runs }) {
+  const newest = mode.runs.length - 1;
   const asked = new URLSearchParams(location.search).get('run');
-  const index = asked === null ? NaN : Number(asked);
-  return mode === 'live' && Number.isInteger(index) && index >= 0 && index < runs.length - 1 ? index : null;
+  if (mode.mode !== 'live') buildPage(new Session(mode), [0, 1]);
+  else if (asked === null || asked === String(newest)) buildPage(new Session(mode), [newest]);
+  else if (mode.runs[Number(asked)]) buildPage(new Session({ ...mode, mode: 'replay', control: false }), [Number(asked)]);
+  else byId('runs').textContent = `The program has had no run ${asked} (counted from 0) since it was started.`;
 }
 
 /** @param {string} message of the program */
@@ -73,6 +69,8 @@ function buildPage(session, indices) {
   }
   const shown = indices.filter((index) => index < named.length);
   const runs = shown.map((index) => new RunState(index));
+  if (new Set(shown.map((index) => named[index].name)).size < shown.length)
+    runs.forEach((run, k) => (run.fileSuffix = `-${k + 1}`));
   const clock = new Clock(runs);
   const views = runs.map((run, k) => runView(run, named[shown[k]].name, session, clock));
   const replays = runs.map(
@@ -151,25 +149,38 @@ function buildTools(clock, savePlots, theme, help) {
  */
 function startLive(run, session, clock) {
   let ended = false;
+  /** Runs whose end has been shown, and whose whole series has been asked for. */
+  let [shown, whole] = [-1, -1];
+  const show = () => {
+    if (!ended || run.series.t.length === 0) return;
+    if (!run.snapshot || run.index !== shown) clock.seek(run.index === shown ? clock.time : clock.range[1]);
+    shown = run.index;
+    if (!run.series.hasGaps || run.index === whole) return;
+    whole = run.index;
+    readWholeSeries(run, session, clock);
+  };
   session.on('loop', () => {
     const now = session.loop.ended !== null;
     if (now === ended) return;
     ended = now;
     clock.setReplaying(ended);
-    if (!ended) return;
-    clock.seek(clock.range[1]);
-    if (run.series.hasGaps) readWholeSeries(run, session);
+    show();
   });
-  run.on('series', () => ended && !run.snapshot && clock.seek(clock.range[1]));
+  run.on('series', show);
   followLiveRun(run, session);
 }
 
-/** What this page missed of a live run is in its files after the end. @param {RunState} run @param {Session} session */
-async function readWholeSeries(run, session) {
+/**
+ * What this page missed of a live run is in its files after the end.
+ * @param {RunState} run @param {Session} session @param {Clock} clock
+ */
+async function readWholeSeries(run, session, clock) {
   const { index } = run;
   try {
     const series = await fetchSeries(index);
-    if (index === run.index) run.setSeries(series);
+    if (index !== run.index) return;
+    run.setSeries(series);
+    clock.seek(clock.time);
   } catch (error) {
     session.report(/** @type {Error} */ (error).message, 'The whole run could not be read:');
   }

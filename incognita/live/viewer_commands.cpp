@@ -66,7 +66,12 @@ std::string type_of_message(std::string_view text) {
   if (json_depth(text) > most_json_depth) return "";
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("type") || !json["type"].is_string()) return "";
-  return json["type"].get<std::string>().substr(0, 40);
+  std::string type = json["type"].get<std::string>();
+  const auto intervention = json.find("intervention");
+  if (type == "intervene" && intervention != json.end() && intervention->is_object() &&
+      intervention->contains("type") && (*intervention)["type"].is_string())
+    type = (*intervention)["type"].get<std::string>();
+  return type.substr(0, 40);
 }
 
 }  // namespace incognita

@@ -31,7 +31,7 @@ using ViewerCommand = std::variant<PauseRun, ResumeRun, StepRun, SetSpeed, StopR
 /// allowed.
 ViewerCommand viewer_command(std::string_view json);
 
-/// The type of a message, for an answer; empty if it has none.
+/// The type of a message, of an intervention its own, for an answer; empty if it has none.
 std::string type_of_message(std::string_view json);
 
 }  // namespace incognita

@@ -89,6 +89,8 @@ TEST(Interventions, AreRefusedWithTheField) {
 
 TEST(ViewerCommands, SayTheirTypeForAnAnswer) {
   EXPECT_EQ(type_of_message(R"({"type":"dance"})"), "dance");
+  EXPECT_EQ(type_of_message(R"({"type":"intervene","intervention":{"type":"push","body":0}})"), "push");
+  EXPECT_EQ(type_of_message(R"({"type":"intervene","intervention":5})"), "intervene");
   EXPECT_EQ(type_of_message("[]"), "");
   EXPECT_EQ(type_of_message("{"), "");
 }

@@ -107,9 +107,10 @@ export class CameraView {
   #cameraMatches(snapshot) {
     const ofLandmarks = (snapshot?.matches ?? []).filter(({ kind, body }) => kind !== 'body' && body === 1);
     const inImages = ofLandmarks.filter((match) => match.image);
-    const all = inImages.length > 0 ? inImages : ofLandmarks;
-    this.#sensor = Math.min(this.#sensor, ...all.map((match) => match.sensor));
-    return all.filter((match) => match.sensor === this.#sensor);
+    this.#sensor = Math.min(this.#sensor, ...inImages.map((match) => match.sensor));
+    const all = this.#sensor < Infinity ? inImages : ofLandmarks;
+    const sensor = this.#sensor < Infinity ? this.#sensor : all[0]?.sensor;
+    return all.filter((match) => match.sensor === sensor);
   }
 
   /** @param {Snapshot | null} snapshot */

@@ -43,10 +43,7 @@ export function followLiveRun(run, session) {
 
   /** @type {Record<string, (message: any) => void>} */
   const receivers = {
-    run: (message) => {
-      session.noteRun(message.index, message.name);
-      startRun(message.index);
-    },
+    run: (message) => startRun(message.index),
     snapshot: (message) => {
       run.sequence.accept(message.seq, message.dropped);
       receiveSnapshot(message);

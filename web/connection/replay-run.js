@@ -1,5 +1,6 @@
 // Source of a finished run: frames over HTTP, with those ahead of the shown one fetched in advance.
 import { fetchFrame, fetchImage } from './api.js';
+import { lowerBound } from '../math/decimate.js';
 import { frameAt } from '../math/linked-time.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 /** @typedef {import('../state/types.js').Snapshot} Snapshot */
@@ -9,8 +10,9 @@ const CACHED_FRAMES = 240;
 const FRAMES_AHEAD = 4;
 
 export class ReplayRun {
-  /** @type {Map<number, FrameRequest>} */
+  /** @type {Map<number, FrameRequest>} by frame, since rows of a series that is read again are others */
   #cache = new Map();
+  /** The frame to be shown. */
   #wanted = -1;
   #busy = false;
 
@@ -33,7 +35,8 @@ export class ReplayRun {
    * @param {boolean} ahead whether to fetch the frames that follow
    */
   showTime(time, ahead) {
-    const frame = frameAt(this.run.series.t, time);
+    const { t, frames } = this.run.series;
+    const frame = frames[frameAt(t, time)] ?? -1;
     if (frame < 0 || frame === this.#wanted) return;
     this.#wanted = frame;
     if (!this.#busy) this.#load(ahead);
@@ -48,7 +51,7 @@ export class ReplayRun {
       const cache = this.#cache;
       try {
         const request = this.#request(shown);
-        for (let k = 1; ahead && k <= FRAMES_AHEAD; ++k) this.#request(shown + k);
+        if (ahead) for (const next of this.#framesAfter(shown)) this.#request(next);
         const { snapshot, image } = await request;
         if (cache !== this.#cache) {
           shown = -1; // of the run before
@@ -66,12 +69,19 @@ export class ReplayRun {
     this.#busy = false;
   }
 
+  /** @param {number} frame @returns {number[]} */
+  #framesAfter(frame) {
+    const { frames } = this.run.series;
+    const row = lowerBound(frames, frame + 1);
+    return frames.slice(row, row + FRAMES_AHEAD);
+  }
+
   /** @param {number} frame @returns {FrameRequest} */
   #request(frame) {
     const cached = this.#cache.get(frame);
-    if (cached || frame >= this.run.series.t.length) return cached ?? /** @type {any} */ (undefined);
+    if (cached) return cached;
     const { index } = this.run;
-    const place = this.run.series.frames[frame] - this.run.series.frames[0];
+    const place = frame - this.run.series.frames[0];
     const image = this.run.info?.camera ? fetchImage(index, place) : null;
     const cache = this.#cache;
     const request = Promise.all([fetchFrame(index, place), image]).then(([snapshot, blob]) => ({

@@ -41,7 +41,7 @@ export function driveControls(run, session) {
   const made = element(
     'fieldset',
     { class: 'drive' },
-    element('legend', {}, 'Take over'),
+    element('legend', {}, 'Manual control'),
     element('div', { class: 'row' }, ...(bodies.options.length > 1 ? [labeled('body', bodies)] : []), take),
     pads,
     element(

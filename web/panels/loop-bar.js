@@ -51,32 +51,6 @@ export function loopBar(session, openNewRun) {
     words.dataset.state = ended ? 'ended' : paused ? 'paused' : 'running';
   });
   const bar = element('div', { class: 'loop-bar', role: 'group', 'aria-label': 'Loop' }, ...controls, words);
-  bar.append(earlierRuns(session));
   if (!session.control) bar.append(element('span', { class: 'note' }, 'watching only'));
   return Object.assign(bar, { togglePause, step });
-}
-
-/** Opens the replay of a run that ended before the present one began. @param {Session} session */
-function earlierRuns(session) {
-  const choice = select(
-    [],
-    (index) => {
-      const address = new URL(location.href);
-      address.searchParams.set('run', index);
-      window.open(address, '_blank');
-      choice.value = '';
-    },
-    { 'aria-label': 'earlier runs' },
-  );
-  const show = () => {
-    const earlier = session.mode.runs.slice(0, -1);
-    choice.hidden = earlier.length === 0;
-    choice.replaceChildren(
-      element('option', { value: '' }, 'earlier runs …'),
-      ...earlier.map(({ name }, k) => element('option', { value: k }, `${k + 1}: ${name}`)),
-    );
-  };
-  session.on('runs', show);
-  show();
-  return choice;
 }

@@ -1,5 +1,5 @@
 // Dialog that starts a run: scenario, seed and every other setting, checked by the program.
-import { fetchConfig, fetchScenarios } from '../connection/api.js';
+import { fetchConfig, fetchMode, fetchScenarios } from '../connection/api.js';
 import { scenarioOf } from '../state/run-state.js';
 import { button, element, labeled, select } from './dom.js';
 import { settingsForm } from './settings-form.js';
@@ -17,6 +17,7 @@ export function newRunDialog(run, session) {
     check();
   });
   const about = element('p', { class: 'note' });
+  const earlier = element('p', { class: 'earlier-runs', hidden: true });
   const seed = element('input', { type: 'number', min: 0, step: 1, value: 1 });
   const filter = element('input', {
     type: 'search',
@@ -46,6 +47,7 @@ export function newRunDialog(run, session) {
       element('label', { class: 'check' }, changedOnly, 'changed only'),
       filter,
     ),
+    earlier,
     about,
     nothing,
     form,
@@ -117,6 +119,9 @@ export function newRunDialog(run, session) {
   async function open() {
     dialog.showModal();
     try {
+      const { runs } = await fetchMode();
+      earlier.hidden = runs.length < 2;
+      earlier.replaceChildren('Replay an earlier run: ', ...runs.slice(0, -1).map(({ name }, k) => linkTo(k, name)));
       if (known.length === 0) known = await fetchScenarios();
     } catch (error) {
       answer.className = 'answer bad';
@@ -131,4 +136,11 @@ export function newRunDialog(run, session) {
     if (scenario) await check();
   }
   return { dialog, open };
+}
+
+/** @param {number} index of a run that has ended @param {string} name */
+function linkTo(index, name) {
+  const address = new URL(location.href);
+  address.searchParams.set('run', String(index));
+  return element('a', { href: address.href, target: '_blank' }, `${index + 1}: ${name}`);
 }

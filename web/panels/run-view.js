@@ -32,6 +32,7 @@ export function runView(run, name, session, clock) {
     ),
     plots.element,
   );
+  run.on('info', () => run.info && made.setAttribute('aria-label', `Run ${run.info.name}`));
   run.on('info', () => made.classList.toggle('without-camera', run.info !== null && !run.info.camera));
   return {
     element: made,

@@ -11,7 +11,6 @@ import { saveSvg } from './save-svg.js';
 import { TimingsPlot } from './timings-plot.js';
 /** @typedef {import('../state/clock.js').Clock} Clock */
 /** @typedef {import('../state/run-state.js').RunState} RunState */
-/** @typedef {import('./line-plot.js').PlotData} PlotData */
 /** @typedef {{svg: SVGSVGElement, fileName: string}} Plot */
 
 const REDRAW_MS = 125;
@@ -102,7 +101,10 @@ export class PlotSet {
    */
   #drawErrors(t, range, column) {
     const data = ERRORS.map(([name]) => ({ t, range, ...errorData(name, column) }));
-    const leftOut = data.map((of) => t.length > 0 && isConstant(of));
+    const { columns } = this.run.series;
+    const leftOut = ERRORS.map(
+      ([name]) => t.length > 0 && isZero(columns[`error_${name}`]) && isZero(columns[`two_sigma_${name}`]),
+    );
     this.errors.forEach((plot, k) => {
       /** @type {HTMLElement} */ (plot.svg.parentElement).hidden = leftOut[k];
     });
@@ -195,7 +197,7 @@ function typical(values, share) {
   return quantile(step === 1 ? values : values.filter((_, i) => i % step === 0), share);
 }
 
-/** @param {PlotData} data */
-function isConstant({ band, lines }) {
-  return [band?.high ?? [], ...lines.map((line) => line.values)].every((values) => values.every((v) => !v));
+/** Whether a column of the whole run is zero or unknown. @param {number[]} [values] */
+function isZero(values = []) {
+  return values.every((value) => !value);
 }

@@ -20,6 +20,8 @@ const MAX_EVENTS = 20000;
 /** Emits `info`, `series`, `snapshot`, `image`, `observability`, and `settings` when a viewer changed what
  * `info` says of the decision or of the disturbances. */
 export class RunState extends Emitter {
+  /** End of the names of files, where two runs with the same name are shown. */
+  fileSuffix = '';
   sequence = new SequenceMonitor();
   /** @type {Info | null} */
   info = null;
@@ -156,8 +158,8 @@ export const scenarioOf = (info) => info.scenario ?? info.name;
  * Beginning of the names of files saved from this run: its directory, or scenario and seed while it goes on.
  * @param {RunState} run
  */
-export function fileStem({ info }) {
-  if (!info) return 'run';
+export function fileStem({ info, fileSuffix }) {
+  if (!info) return `run${fileSuffix}`;
   const name = info.scenario ? info.name : `${info.name}-seed-${info.seed}`;
-  return name.replace(/[^A-Za-z0-9._-]+/g, '-');
+  return name.replace(/[^A-Za-z0-9._-]+/g, '-') + fileSuffix;
 }

@@ -3,7 +3,7 @@ import { Emitter } from './emitter.js';
 /** @typedef {import('./types.js').LoopState} LoopState */
 /** @typedef {import('./types.js').Mode} Mode */
 
-/** Emits `connection`, `loop`, `runs` and `message`. */
+/** Emits `connection`, `loop` and `message`. */
 export class Session extends Emitter {
   /** @type {LoopState} */
   loop = { running: false, paused: false, speed: 1, viewers: 0, ended: null };
@@ -23,12 +23,6 @@ export class Session extends Emitter {
   /** Whether this page may control the loop. */
   get control() {
     return this.mode.mode === 'live' && this.mode.control === true;
-  }
-
-  /** A run of a live page begins. @param {number} index @param {string} name */
-  noteRun(index, name) {
-    this.mode.runs[index] = { name };
-    this.emit('runs');
   }
 
   /** @param {LoopState} loop */

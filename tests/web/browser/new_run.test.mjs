@@ -37,7 +37,8 @@ test('a wrong setting shows the message of the program, a right one starts a run
   assert.match(settings, /^duration_s = 2\.0 /m);
 
   const opened = page.waitForEvent('popup');
-  await page.getByLabel('earlier runs').selectOption({ label: '1: room' });
+  await page.getByRole('button', { name: 'New run…' }).click();
+  await dialog.getByRole('link', { name: '1: room' }).click();
   const replay = await opened;
   await replay.waitForFunction(() => window.incognita?.snapshot?.frame === 0);
   assert.match(await replay.locator('.run-name').innerText(), /^room, seed 1/);

@@ -138,3 +138,24 @@ test('a second run of a program is replayed with its own frames, also after the 
   assert(Math.abs(await slider.evaluate((input) => input.valueAsNumber - Number(input.max))) < 1e-6);
   assert.equal(await page.locator('.message').isVisible(), false);
 });
+
+test('a live run of which the page missed frames is replayed whole, each frame at its time', async (t) => {
+  const run = await watchedRun(t, 'room', ['--duration', '6']);
+  const page = await openPage(t, run.address);
+  await page.evaluate(() => {
+    const { series } = window.incognita.runs[0];
+    const append = series.append.bind(series);
+    series.append = (time, frame, ...rest) => frame % 3 === 0 && append(time, frame, ...rest);  // as if dropped
+  });
+  await page.locator('.loop-state[data-state=ended]').waitFor();
+  await page.waitForFunction(() => window.incognita.runs[0].series.frames.length === 180);
+  const slider = page.getByLabel('Time', { exact: true });
+  for (const frame of [60, 59, 61, 90]) {
+    const time = await page.evaluate((row) => window.incognita.runs[0].series.t[row], frame);
+    await slider.evaluate((node, value) => {
+      node.value = String(value + 1e-4);
+      node.dispatchEvent(new Event('input'));
+    }, time);
+    await page.waitForFunction((wanted) => window.incognita.snapshot.frame === wanted, frame);
+  }
+});

@@ -81,7 +81,7 @@ export class ReplayRun {
     const cached = this.#cache.get(frame);
     if (cached) return cached;
     const { index } = this.run;
-    const place = frame - this.run.series.frames[0];
+    const place = frame - this.run.series.firstFrame;
     const image = this.run.info?.camera ? fetchImage(index, place) : null;
     const cache = this.#cache;
     const request = Promise.all([fetchFrame(index, place), image]).then(([snapshot, blob]) => ({

@@ -9,6 +9,8 @@ export class Series {
   t = [];
   /** @type {number[]} frame numbers */
   frames = [];
+  /** Of the run, whether it is among `frames` or not. */
+  firstFrame = 0;
   /** @type {string[]} tracking states */
   states = [];
   /** @type {Record<string, number[]>} */
@@ -23,6 +25,7 @@ export class Series {
     this.columns = withNaN(message.columns);
     this.timing = withNaN(message.timing_ms);
     const step = message.frame_step ?? 1;
+    this.firstFrame = message.first_frame;
     this.frames = message.t.map((_, i) => message.first_frame + i * step);
   }
 

@@ -76,6 +76,17 @@ TEST(ActiveSearch, TheMostUncertainFirstAndNoMoreThanAllowed) {
   for (std::int64_t id = 0; id < 6; ++id) EXPECT_EQ(scene.outcome(id), MatchOutcome::matched) << id;
 }
 
+TEST(ActiveSearch, FeaturesThatStoppedMatchingComeLast) {
+  Scene scene(1e-4);
+  const double sigmas_px[] = {6, 5, 1, 2};
+  for (std::size_t i = 0; i < 4; ++i) scene.add(9 * i, sigmas_px[i]);
+  for (const std::int64_t id : {0, 1}) scene.feature(id).recent_attempts = 10;
+  scene.settings().max_measurements = 2;
+  EXPECT_EQ(scene.search(), 2);
+  for (const std::int64_t id : {0, 1}) EXPECT_EQ(scene.outcome(id), MatchOutcome::not_searched) << id;
+  for (const std::int64_t id : {2, 3}) EXPECT_EQ(scene.outcome(id), MatchOutcome::matched) << id;
+}
+
 TEST(ActiveSearch, FindsThePatchInsideItsEllipseAndNowhereElse) {
   constexpr double sigma_px = 4;  // with that of the pixel: 4.03
   const Eigen::Vector2d directions[] = {{1, 0}, {0, 1}, {-0.6, 0.8}};

@@ -64,6 +64,51 @@ TEST(LandmarkDeletion, OfWhatWasMatchedInLessThanHalfOfEnoughAttempts) {
   EXPECT_EQ(estimate.belief.errors(), 12);
 }
 
+/// Counts one frame in which a landmark was searched for and, perhaps, matched.
+void count_frame(Tracking& t, std::int64_t id, bool matched) {
+  FeatureMatch match{};
+  match.id = id;
+  match.outcome = matched ? MatchOutcome::matched : MatchOutcome::not_found;
+  t.tracked.matches = {match};
+  count_attempts(t.estimate, t.tracked);
+}
+
+TEST(LandmarkDeletion, WithAMemoryOfWhatStoppedMatching) {
+  for (const int memory : {0, 10}) {
+    Tracking t = with_inverse_depths({{60, 60}, {120, 60}});
+    t.tracked.settings.map.memory_attempts = memory;
+    for (int frame = 0; frame < 200; ++frame)
+      for (const std::int64_t id : {0, 1}) count_frame(t, id, true);
+    for (int frame = 0; frame < 8; ++frame) count_frame(t, 0, false);
+    delete_bad_landmarks(t.estimate, t.tracked);
+    // 0.9^7 < 0.5 < 0.9^6: the seventh failure is one too many
+    EXPECT_EQ(ids(t.estimate),
+              memory == 0 ? (std::vector<std::int64_t>{0, 1}) : std::vector<std::int64_t>{1});
+  }
+}
+
+TEST(LandmarkDeletion, SparesALandmarkThatFailsNowAndThen) {
+  Tracking t = with_inverse_depths({{60, 60}});
+  t.tracked.settings.map.memory_attempts = 10;
+  for (int frame = 0; frame < 300; ++frame) {
+    count_frame(t, 0, frame % 3 != 0);
+    delete_bad_landmarks(t.estimate, t.tracked);
+    ASSERT_EQ(t.estimate.landmarks.size(), 1u) << "frame " << frame;
+  }
+}
+
+TEST(ExpectedMatches, AreOfLandmarksThatMatchedOfLate) {
+  Tracking t = with_inverse_depths({{60, 60}, {120, 60}, {180, 60}});
+  t.tracked.settings.map.memory_attempts = 10;
+  for (int frame = 0; frame < 100; ++frame) count_frame(t, 0, true), count_frame(t, 1, false);
+  t.tracked.matches.clear();
+  for (const std::int64_t id : {0, 1, 2}) t.tracked.matches.emplace_back().id = id;
+  EXPECT_NEAR(match_probability(t.feature(0)), 1, 1e-12);
+  EXPECT_NEAR(match_probability(t.feature(1)), 1.0 / 11, 1e-4) << "one success in 10 + 1 searches";
+  EXPECT_EQ(match_probability(t.feature(2)), 1) << "not searched yet";
+  EXPECT_NEAR(expected_matches(t.tracked), 2 + 1.0 / 11, 1e-4);
+}
+
 /// Sets the inverse depth by a measurement of it that leaves nothing to doubt.
 void set_inverse_depth(Estimate& estimate, const Landmark& landmark, double inverse_depth, double sigma) {
   const double mean = estimate.belief.mean(landmark.block)[5];

@@ -2,9 +2,11 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "incognita/math/gaussian.hpp"
 #include "incognita/slam/features/consensus.hpp"
+#include "incognita/slam/features/map_management.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 
 namespace incognita {
@@ -36,13 +38,20 @@ void drop_repeated_corners(TrackedCamera& camera) {
   }
 }
 
+/// Information about camera and map that a match gives, 1/2 log |S R^-1| (thesis C.2), times the probability of one.
+double expected_information(const FeatureMatch& match, const TrackedCamera& camera) {
+  const double ratio = match.innovation_cov.determinant() / (camera.pixel_var() * camera.pixel_var());
+  return 0.5 * std::log(ratio) * match_probability(camera.features.at(match.id));
+}
+
 }  // namespace
 
 void active_search(const SummedImage& image, TrackedCamera& camera) {
   const SearchSettings& settings = camera.settings.search;
+  for (FeatureMatch& match : camera.matches) match.expected_information = expected_information(match, camera);
   std::sort(camera.matches.begin(), camera.matches.end(), [](const FeatureMatch& a, const FeatureMatch& b) {
-    const double da = a.innovation_cov.determinant(), db = b.innovation_cov.determinant();
-    return da != db ? da > db : a.id < b.id;
+    return a.expected_information != b.expected_information ? a.expected_information > b.expected_information
+                                                            : a.id < b.id;
   });
   thread_local CorrelationSheet sheet;
   camera.predicted = 0;

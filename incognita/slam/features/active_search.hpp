@@ -6,8 +6,8 @@
 
 namespace incognita {
 
-/// Searches for the predicted features in the order of decreasing innovation covariance (the most uncertain have the
-/// largest expected information gain), at most `max_measurements` of them, each inside its own ellipse. Fills
+/// Searches for the predicted features in the order of decreasing expected information gain (the most uncertain first,
+/// unless they hardly matched of late), at most `max_measurements` of them, each inside its own ellipse. Fills
 /// measured, correlation and outcome (not_found or matched, before outlier rejection) of the camera's matches, and
 /// counts the features that were searched for.
 void active_search(const SummedImage& image, TrackedCamera& camera);

@@ -37,8 +37,10 @@ struct Feature {
   PatchView view;
   std::vector<DepthHypothesis> depths;  ///< of a ray only
   int attempts = 0;                     ///< searches in frames that were otherwise matched
-  int frames_away = 0;                  ///< since its last update of the filter or its initialization
-  int ray_failures = 0;                 ///< of a ray only: consecutive failed searches
+  /// Searches and matches weighted by age, with a time constant of MapSettings::memory_attempts; without it unused.
+  double recent_attempts = 0, recent_matches = 0;
+  int frames_away = 0;   ///< since its last update of the filter or its initialization
+  int ray_failures = 0;  ///< of a ray only: consecutive failed searches
 };
 
 /// The predicted measurement of a landmark in this frame, and the result of the search.
@@ -47,6 +49,7 @@ struct FeatureMatch {
   bool anchor = false;
   Eigen::Vector2d predicted;                             ///< px, from the prior belief
   Eigen::Matrix2d innovation_cov;                        ///< S_i = H_i P H_i' + R, px^2
+  double expected_information = 0;                       ///< nats, of a search; it orders them
   CameraJacobian Hv;                                     ///< d(pixel) / d(camera error)
   Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 6> Hl;  ///< no columns for anchors
   Eigen::Vector3d point;                                 ///< world, m: position assumed for the warp

@@ -1,5 +1,6 @@
 #include "incognita/slam/features/feature_tracker.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "incognita/slam/features/active_search.hpp"
@@ -148,7 +149,7 @@ void FeatureTracker::forget_depth_lines(Estimate& estimate) { drop_depth_lines(e
 
 void FeatureTracker::add_landmarks(Estimate& estimate) {
   const InitializationSettings& initialization = camera_.settings.initialization;
-  const int visible = static_cast<int>(camera_.matches.size());
+  const int visible = static_cast<int>(std::lround(expected_matches(camera_)));
   int rays = 0, mapped = 0;
   for_each_feature(estimate, camera_.features, [&](const Landmark& landmark, const Feature&) {
     rays += landmark.form.kind == LandmarkParametrization::Kind::ray;

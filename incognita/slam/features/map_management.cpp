@@ -14,7 +14,32 @@ bool is_inverse_depth(const Landmark& landmark) {
   return !landmark.fixed && landmark.form.kind == Kind::inverse_depth;
 }
 
+void count_attempt(Feature& feature, bool matched, int memory_attempts) {
+  ++feature.attempts;
+  if (memory_attempts == 0) return;
+  const double kept = 1 - 1.0 / memory_attempts;
+  feature.recent_attempts = kept * feature.recent_attempts + 1;
+  feature.recent_matches = kept * feature.recent_matches + matched;
+}
+
+bool is_rarely_matched(const Landmark& landmark, const Feature& feature, const MapSettings& settings) {
+  if (feature.attempts < settings.min_attempts) return false;
+  if (settings.memory_attempts == 0)
+    return landmark.detection_count < settings.min_matched_share * feature.attempts;
+  return feature.recent_matches < settings.min_matched_share * feature.recent_attempts;
+}
+
 }  // namespace
+
+double match_probability(const Feature& feature) {
+  return (feature.recent_matches + 1) / (feature.recent_attempts + 1);
+}
+
+double expected_matches(const TrackedCamera& camera) {
+  double sum = 0;
+  for (const FeatureMatch& match : camera.matches) sum += match_probability(camera.features.at(match.id));
+  return sum;
+}
 
 void count_frames_away(TrackedCamera& camera) {
   for (auto& [id, feature] : camera.features) ++feature.frames_away;
@@ -25,8 +50,9 @@ void count_frames_away(TrackedCamera& camera) {
 void count_attempts(Estimate& estimate, TrackedCamera& camera) {
   for (const FeatureMatch& match : camera.matches) {
     if (match.outcome == MatchOutcome::not_searched || match.outcome == MatchOutcome::unconfirmed) continue;
-    ++camera.features.at(match.id).attempts;
-    estimate.landmarks.at(match.id).detection_count += match.outcome == MatchOutcome::matched;
+    const bool matched = match.outcome == MatchOutcome::matched;
+    count_attempt(camera.features.at(match.id), matched, camera.settings.map.memory_attempts);
+    estimate.landmarks.at(match.id).detection_count += matched;
   }
 }
 
@@ -34,10 +60,9 @@ void delete_bad_landmarks(Estimate& estimate, TrackedCamera& camera) {
   const MapSettings& settings = camera.settings.map;
   for_each_feature(estimate, camera.features, [&](const Landmark& landmark, const Feature& feature) {
     if (!landmark.mapped()) return;
-    const bool rarely_matched = feature.attempts >= settings.min_attempts &&
-                                landmark.detection_count < settings.min_matched_share * feature.attempts;
     const bool beyond_infinity = is_inverse_depth(landmark) && estimate.belief.mean(landmark.block)[5] < 0;
-    if (rarely_matched || beyond_infinity) remove_landmark(estimate, camera, landmark.id);
+    if (is_rarely_matched(landmark, feature, settings) || beyond_infinity)
+      remove_landmark(estimate, camera, landmark.id);
   });
 }
 

@@ -12,8 +12,16 @@ void count_frames_away(TrackedCamera& camera);
 /// about single landmarks (e.g. a covered lens).
 void count_attempts(Estimate& estimate, TrackedCamera& camera);
 
-/// Deletes points and inverse-depth landmarks that were matched in too small a share of their attempts, and
-/// inverse-depth landmarks of negative depth.
+/// Probability that a search for a landmark in view succeeds: the share of its recent searches that did, with one more
+/// success, so that a new landmark is expected to match. 1 without MapSettings::memory_attempts.
+double match_probability(const Feature& feature);
+
+/// Expected number of matches in this frame if all landmarks in view are searched for. Landmarks that stopped matching do
+/// not count, so that new ones take their place.
+double expected_matches(const TrackedCamera& camera);
+
+/// Deletes points and inverse-depth landmarks that were matched in too small a share of their attempts (with
+/// MapSettings::memory_attempts, of the recent ones), and inverse-depth landmarks of negative depth.
 void delete_bad_landmarks(Estimate& estimate, TrackedCamera& camera);
 
 /// Converts inverse-depth landmarks of small linearity index (Civera) to points.

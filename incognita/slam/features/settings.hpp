@@ -131,6 +131,7 @@ struct MapSettings {
   double max_scale = 1.8;
   int min_attempts = 10;
   double min_matched_share = 0.5;
+  int memory_attempts = 0;
 
   static void describe(auto&& setting) {
     using namespace limits;
@@ -146,6 +147,10 @@ struct MapSettings {
             "Number of searches before a landmark can be deleted");
     setting(&S::min_matched_share, "min_matched_share", "", between(0, 1),
             "Share of successful searches below which a landmark is deleted");
+    setting(
+        &S::memory_attempts, "memory_attempts", "", between(0, 100000),
+        "Number of recent searches by which a landmark is judged for search, deletion and new landmarks; 0: all "
+        "of them, and only for deletion, as in the thesis");
   }
 };
 

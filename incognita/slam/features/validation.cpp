@@ -76,6 +76,7 @@ void validate(const MapSettings& s) {
   need_at_least("map.min_attempts", s.min_attempts, 1, "1 or more");
   need(s.min_matched_share >= 0 && s.min_matched_share <= 1, "map.min_matched_share", s.min_matched_share,
        "0 to 1");
+  need_at_least("map.memory_attempts", s.memory_attempts, 0, "0 or more");
 }
 
 /// With 0 matches required a camera without images would never be lost.

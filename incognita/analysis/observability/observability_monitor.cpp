@@ -143,8 +143,17 @@ void ObservabilityMonitor::follow(const BeliefTrace& trace) {
     void operator()(const BlockReplacement& replacement) { monitor.replace(replacement); }
     void operator()(const BlockDrop& drop) { monitor.drop(drop.block); }
     void operator()(CovarianceEdit how) {
-      monitor.uncovered_ =
-          how == CovarianceEdit::frame_changed ? Uncovered::frame_changed : Uncovered::decorrelated;
+      switch (how) {
+        case CovarianceEdit::frame_changed:
+          monitor.uncovered_ = Uncovered::frame_changed;
+          break;
+        case CovarianceEdit::decorrelated:
+          monitor.uncovered_ = Uncovered::decorrelated;
+          break;
+        case CovarianceEdit::recomputed:
+          monitor.uncovered_ = Uncovered::recomputed;
+          break;
+      }
     }
   };
   for (const BeliefEvent& event : trace)

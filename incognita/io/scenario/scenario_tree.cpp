@@ -176,6 +176,8 @@ void image_estimator(SettingReader& r, Scenario& s) {
   landmark_initialization(r, s.slam.initialization);
   r.section("map");
   r.all(s.slam.map);
+  r.section("bundle");
+  r.all(s.slam.bundle);
   image_health(r, s.slam.health);
 }
 

@@ -26,6 +26,13 @@ std::string problem_of_camera(const FeatureTracker& camera, const EstimatorSetti
   if (c.mount && camera.has_target())
     return "a camera on a mount does not start from a target, which gives the pose of the camera and not of its vehicle: "
            "start from the pose of the vehicle";
+  if (c.settings.bundle.adjust && (s.bodies.size() > 1 || c.mount))
+    return "bundle.adjust = true is for one camera that moves freely, not for vehicles or teams; take `false`";
+  if (c.settings.bundle.adjust &&
+      c.settings.initialization.method == InitializationSettings::Method::depth_line)
+    return "bundle.adjust = true needs landmarks in inverse depth: landmark_initialization.method = `inverse-depth`";
+  if (c.settings.bundle.adjust && s.filter.form == BeliefForm::information)
+    return "bundle.adjust = true needs the filter in covariance form: estimator.form = `covariance`";
   if (s.filter.map_frame == MapFrame::vehicle)
     return "estimator.map_frame = `vehicle`: images are tracked in a map in the world frame; take `world`";
   if (s.filter.linearization == Linearization::first_estimate)
@@ -296,7 +303,9 @@ void SlamEstimator::maintain_maps(Estimate& e) {
     if (!camera.has_map() && camera.has_image())
       camera.start_map(e, {}, motion_of(camera));
     else if (body.health.frames_with_few == 0)
-      camera.maintain_map(e);
+      camera.maintain_map(e, motion_of(camera));
+    if (camera.camera().settings.bundle.adjust)
+      express_in_world(e, settings_);  // it may have moved the camera
   }
 }
 

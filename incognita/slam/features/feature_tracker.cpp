@@ -86,6 +86,9 @@ void FeatureTracker::start_map(Estimate& estimate, const std::optional<TargetPos
     add_landmarks(estimate);
     if (camera_.features.size() == before) break;
   }
+  if (!camera_.settings.bundle.adjust) return;
+  keyframes_.start(camera_.view.camera, estimate.belief.covariance(camera_.view.body).topLeftCorner<6, 6>());
+  add_new_landmarks_to_keyframe();
 }
 
 void FeatureTracker::predict(const Estimate& estimate, const AnyMotion& motion) {
@@ -136,13 +139,54 @@ void FeatureTracker::after_correction(const Estimate& estimate, const AnyMotion&
 
 void FeatureTracker::count_frames_away() { incognita::count_frames_away(camera_); }
 
-void FeatureTracker::maintain_map(Estimate& estimate) {
+void FeatureTracker::maintain_map(Estimate& estimate, const AnyMotion& motion) {
   if (!sees_) return;
   count_attempts(estimate, camera_);
+  if (camera_.settings.bundle.adjust) {
+    maintain_keyframes(estimate, motion);
+    delete_bad_landmarks(estimate, camera_);
+    return;
+  }
   simplify_landmarks(estimate, camera_);
   update_depth_lines(summed_, estimate, camera_);
   add_landmarks(estimate);
   delete_bad_landmarks(estimate, camera_);
+}
+
+void FeatureTracker::add_new_landmarks_to_keyframe() {
+  for (const auto& [id, feature] : camera_.features)
+    keyframes_.add_if_new({id, feature.view.pixel, camera_.pixel_var() * Eigen::Matrix2d::Identity()});
+}
+
+/// Bundle adjustment when this frame becomes a keyframe, and then new landmarks.
+void FeatureTracker::maintain_keyframes(Estimate& estimate, const AnyMotion& motion) {
+  const BundleSettings& settings = camera_.settings.bundle;
+  std::vector<KeyframeMatch> matches;
+  for (const FeatureMatch& match : camera_.matches)
+    if (match.outcome == MatchOutcome::matched)
+      matches.push_back(
+          {match.id, *match.measured, camera_.pixel_var() * Eigen::Matrix2d::Identity() + match.plane_cov});
+  const KeyframePolicy policy{settings.min_frames, settings.min_motion_share * camera_.camera.width(),
+                              settings.min_matched_share};
+  if (!keyframes_.is_due(matches, policy)) return;
+  keyframes_.add(camera_.view.camera, matches);
+  AdjustmentSettings adjustment;
+  adjustment.max_iterations = settings.max_iterations;
+  adjustment.robust.limit_sigmas = settings.limit_sigmas;
+  const InitializationSettings& initialization = camera_.settings.initialization;
+  keyframes_.adjust(estimate, camera_.view.body, camera_.camera, adjustment,
+                    {initialization.inverse_depth_per_m, initialization.sigma_inverse_depth_per_m});
+  for_each_feature(estimate, camera_.features, [&](Landmark& landmark, Feature& feature) {
+    const BundleView* host = keyframes_.host_of(landmark.id);
+    if (!host) return;
+    landmark.first_view = feature.view.camera_position = host->position;
+    feature.view.world_from_camera = host->world_from_camera;
+  });
+  simplify_landmarks(estimate, camera_);
+  camera_.view = viewpoint(estimate, camera_, motion);
+  predict_matches(estimate, camera_);
+  add_landmarks(estimate);
+  add_new_landmarks_to_keyframe();
 }
 
 void FeatureTracker::forget_depth_lines(Estimate& estimate) { drop_depth_lines(estimate, camera_); }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "incognita/math/random.hpp"
+#include "incognita/slam/bundle/keyframes.hpp"
 #include "incognita/slam/features/feature.hpp"
 #include "incognita/slam/features/target.hpp"
 #include "incognita/slam/features/target_pose.hpp"
@@ -70,7 +71,7 @@ class FeatureTracker {
   void count_frames_away();
 
   /// Converts, deletes and adds landmarks; for frames with enough matches.
-  void maintain_map(Estimate& estimate);
+  void maintain_map(Estimate& estimate, const AnyMotion& motion);
   /// Removes what means nothing without the pose.
   void forget_depth_lines(Estimate& estimate);
 
@@ -85,9 +86,12 @@ class FeatureTracker {
 
  private:
   void add_landmarks(Estimate& estimate);
+  void maintain_keyframes(Estimate& estimate, const AnyMotion& motion);
+  void add_new_landmarks_to_keyframe();
 
   TrackedCamera camera_;
   CameraPlacement placement_;
+  Keyframes keyframes_;
   SummedImage summed_;
   bool sees_ = false;
   bool has_map_ = false;  ///< since start_map()

@@ -154,6 +154,34 @@ struct MapSettings {
   }
 };
 
+struct BundleSettings {
+  bool adjust = false;
+  int min_frames = 3;
+  double min_motion_share = 0.03;
+  double min_matched_share = 0.8;
+  int max_iterations = 5;
+  double limit_sigmas = 3;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = BundleSettings;
+    setting(
+        &S::adjust, "adjust", "", any(),
+        "Whether bundle adjustment over keyframes estimates camera poses and landmarks anew; landmarks then "
+        "begin in keyframes");
+    setting(&S::min_frames, "min_frames", "", between(1, 100000), "Least number of frames between keyframes");
+    setting(
+        &S::min_motion_share, "min_motion_share", "", between(0, 1),
+        "Rms motion of the matched features since the last keyframe, as a share of the image width, from which a "
+        "frame becomes a keyframe");
+    setting(&S::min_matched_share, "min_matched_share", "", between(0, 1),
+            "Share of the features of the last keyframe below which a frame becomes a keyframe");
+    setting(&S::max_iterations, "max_iterations", "", between(1, 1000), "Iterations per adjustment");
+    setting(&S::limit_sigmas, "limit_sigmas", "", above_up_to(0, 1000),
+            "Normalized error of a measurement from which it is weighted down (Huber)");
+  }
+};
+
 struct StartSettings {
   enum class From {
     target,  ///< pose solved from the known target
@@ -180,6 +208,7 @@ struct CameraSlamSettings {
   SearchSettings search;
   InitializationSettings initialization;
   MapSettings map;
+  BundleSettings bundle;
   HealthSettings health{.max_sigma_position_m = 0.5};
 };
 

@@ -79,6 +79,16 @@ void validate(const MapSettings& s) {
   need_at_least("map.memory_attempts", s.memory_attempts, 0, "0 or more");
 }
 
+void validate(const BundleSettings& s) {
+  need_at_least("bundle.min_frames", s.min_frames, 1, "1 or more");
+  need(s.min_motion_share >= 0 && s.min_motion_share <= 1, "bundle.min_motion_share", s.min_motion_share,
+       "0 to 1");
+  need(s.min_matched_share >= 0 && s.min_matched_share <= 1, "bundle.min_matched_share", s.min_matched_share,
+       "0 to 1");
+  need_at_least("bundle.max_iterations", s.max_iterations, 1, "1 or more");
+  need_positive("bundle.limit_sigmas", s.limit_sigmas);
+}
+
 /// With 0 matches required a camera without images would never be lost.
 void validate(const HealthSettings& s) {
   need_at_least("health.min_matches", s.min_matches, 1, "1 or more");
@@ -93,6 +103,7 @@ void validate(const CameraSlamSettings& s, const std::optional<Target>& target, 
   validate(s.search);
   validate(s.initialization);
   validate(s.map);
+  validate(s.bundle);
   validate(s.health);
   need(max_search_s > 0, "start.max_search_s", max_search_s, "more than 0");
   if (target && target->corners.size() < 4)

@@ -117,6 +117,11 @@ void Belief::set_covariance(std::span<const BlockMatrix> own, const Eigen::Matri
                                 std::to_string(own.size()) + " blocks for a belief of " +
                                 std::to_string(errors_) + " errors and " + std::to_string(blocks_.size()) +
                                 " blocks");
+  for (std::size_t i = 0; i < own.size(); ++i)
+    if (own[i].rows() != blocks_[i].chart.tangent() || own[i].cols() != own[i].rows())
+      throw std::invalid_argument("set_covariance: " + std::to_string(own[i].rows()) + "x" +
+                                  std::to_string(own[i].cols()) + " for a block of " +
+                                  std::to_string(blocks_[i].chart.tangent()) + " errors");
   const int rank = static_cast<int>(Y.cols());
   reserve_rank(rank);
   std::fill_n(packed_.data(), static_cast<long>(round_up_to_panel(errors_)) * rank, 0.0);

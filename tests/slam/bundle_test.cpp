@@ -24,11 +24,12 @@ struct Scene {
     truth.first_view = truth.views.front();
     truth.first_view_cov = 1e-8 * Eigen::Matrix<double, 6, 6>::Identity();
     start = truth;
-    for (std::size_t i = 1; i < start.views.size(); ++i)
-      start.views[i].position += 0.02 * normals<3>();
+    for (std::size_t i = 1; i < start.views.size(); ++i) start.views[i].position += 0.02 * normals<3>();
     for (BundlePoint& point : start.points)
-      if (point.kind == BundlePoint::Kind::point) point.value += 0.05 * normals<3>();
-      else if (point.kind == BundlePoint::Kind::inverse_depth) point.value[2] *= 1.3;
+      if (point.kind == BundlePoint::Kind::point)
+        point.value += 0.05 * normals<3>();
+      else if (point.kind == BundlePoint::Kind::inverse_depth)
+        point.value[2] *= 1.3;
   }
 
  private:
@@ -68,8 +69,8 @@ struct Scene {
           truth.views[static_cast<std::size_t>(v)].world_from_camera, Eigen::Matrix<double, 6, 1>::Zero();
       const auto seen = PointLandmark::predict_measurement(camera, x, at);
       if (!seen) continue;
-      truth.observations.push_back({v, i, seen->pixel + noise_px * normals<2>(),
-                                    sigma_px * sigma_px * Eigen::Matrix2d::Identity()});
+      truth.observations.push_back(
+          {v, i, seen->pixel + noise_px * normals<2>(), sigma_px * sigma_px * Eigen::Matrix2d::Identity()});
     }
     truth.points.push_back(point);
   }
@@ -132,7 +133,8 @@ TEST(BundleAdjustment, ItsCovarianceIsThatOfItsErrors) {
   for (int seed = 0; seed < draws; ++seed) {
     Scene scene(100 + static_cast<std::uint64_t>(seed));
     BundleEquations equations;
-    ASSERT_EQ(adjust(scene.start, camera, {.max_iterations = 20, .robust = {.limit_sigmas = 1e9}}, equations).outcome,
+    ASSERT_EQ(adjust(scene.start, camera, {.max_iterations = 20, .robust = {.limit_sigmas = 1e9}}, equations)
+                  .outcome,
               AdjustmentReport::Outcome::converged);
     Eigen::MatrixXd X;
     equations.view_covariance_factor(X);

@@ -15,10 +15,10 @@ struct AdjustmentReport {
   enum class Outcome {
     converged,
     stopped,  ///< after max_iterations: better than before, not at the minimum
-    refused,  ///< some pose is not determined by its measurements: the bundle is as before
+    refused,  ///< some view or point is not determined by its measurements: the bundle is as before
   };
   Outcome outcome = Outcome::refused;
-  int iterations = 0;  ///< linearizations
+  int iterations = 0;  ///< steps tried
   double first_cost = 0, last_cost = 0;
 };
 

@@ -23,10 +23,10 @@ CameraState camera_state(const BundleView& view) {
 }
 
 struct Linearized {
-  Eigen::Vector2d residual;                                  ///< measured - predicted, px
-  Eigen::Matrix<double, 2, 6> Hv;                            ///< by the error of the view
-  Eigen::Matrix<double, 2, 3> Hh;                            ///< by the position of the host
-  Eigen::Matrix<double, 2, 3> Hp;                            ///< by the error of the point
+  Eigen::Vector2d residual;        ///< measured - predicted, px
+  Eigen::Matrix<double, 2, 6> Hv;  ///< by the error of the view
+  Eigen::Matrix<double, 2, 3> Hh;  ///< by the position of the host
+  Eigen::Matrix<double, 2, 3> Hp;  ///< by the error of the point
 };
 
 std::optional<Linearized> linearize_one(const Bundle& bundle, const BundleObservation& observation,
@@ -114,8 +114,8 @@ void BundleEquations::add_measurement(const Bundle& bundle, const BundleObservat
   const auto linearized = linearize_one(bundle, observation, camera);
   if (!linearized) return;
   const auto& [residual, Hv, Hh, Hp] = *linearized;
-  const Eigen::Matrix2d information = robust.weight(squared_sigmas(residual, observation.cov)) *
-                                      Eigen::Matrix2d(observation.cov.inverse());
+  const Eigen::Matrix2d information =
+      robust.weight(squared_sigmas(residual, observation.cov)) * Eigen::Matrix2d(observation.cov.inverse());
   const int v = 6 * observation.view;
   H_views_.block<6, 6>(v, v).noalias() += Hv.transpose() * information * Hv;
   gradient_views_.segment<6>(v).noalias() += Hv.transpose() * information * residual;

@@ -7,9 +7,7 @@
 namespace incognita {
 namespace {
 
-BundleView view_of(const CameraState& camera) {
-  return {camera.head<3>(), camera.segment<4>(3)};
-}
+BundleView view_of(const CameraState& camera) { return {camera.head<3>(), camera.segment<4>(3)}; }
 
 bool is_inverse_depth(const Landmark& landmark) {
   return !landmark.fixed && landmark.form.kind == LandmarkParametrization::Kind::inverse_depth;
@@ -61,7 +59,7 @@ const BundleView* Keyframes::host_of(std::int64_t id) const {
   return known == seen_.end() ? nullptr : &views_[static_cast<std::size_t>(known->second.front().view)];
 }
 
-/// Forgets landmarks that were deleted. Landmarks that are not determined by the keyframes are deleted.
+/// The keyframes, and the landmarks at the means of the belief. Forgets landmarks that were deleted.
 Bundle Keyframes::bundle_of(Estimate& estimate, const DepthPrior& prior) {
   Bundle bundle;
   bundle.views = views_;
@@ -99,62 +97,64 @@ Bundle Keyframes::bundle_of(Estimate& estimate, const DepthPrior& prior) {
   return bundle;
 }
 
-void Keyframes::replace_belief(Estimate& estimate, BlockId body, const Bundle& bundle) {
-  AnyBelief& belief = estimate.belief;
-  Eigen::MatrixXd X;
-  equations_.view_covariance_factor(X);
-  const Eigen::Index last = X.rows() - 6;
-  Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(belief.errors(), X.cols());
-  std::vector<BlockMatrix> own(static_cast<std::size_t>(belief.block_count()));
-  // The camera: its velocities given its pose stay as in the belief
-  CameraState camera = belief.mean(body);
+/// Moves the camera to the last keyframe. Its velocities given its pose stay as in the belief: they follow the pose by the
+/// regression `gain`.
+void Keyframes::replace_camera(AnyBelief& belief, BlockId body, const BundleView& last,
+                               Errors& errors) const {
   const Eigen::Matrix<double, 12, 12> P = belief.covariance(body);
-  const Eigen::Matrix<double, 6, 6> P_pose = P.topLeftCorner<6, 6>();
   const Eigen::Matrix<double, 6, 6> gain =
-      P_pose.ldlt().solve(P.topRightCorner<6, 6>()).transpose();
-  CameraState moved = camera;
-  moved.head<3>() = bundle.views.back().position;
-  moved.segment<4>(3) = bundle.views.back().world_from_camera;
+      P.topLeftCorner<6, 6>().ldlt().solve(P.topRightCorner<6, 6>()).transpose();
+  const CameraState before = belief.mean(body);
+  CameraState after = before;
+  after.head<3>() = last.position;
+  after.segment<4>(3) = last.world_from_camera;
   Eigen::Matrix<double, 12, 1> shift;
-  FreeCameraMotion::chart.minus({moved.data(), 13}, {camera.data(), 13}, {shift.data(), 12});
-  moved.tail<6>() += gain * shift.head<6>();
-  belief.set_mean(body, moved);
-  const int at = belief.offset(body);
-  Y.middleRows(at, 6) = X.middleRows(last, 6);
-  Y.middleRows(at + 6, 6) = gain * X.middleRows(last, 6);
-  BlockMatrix of_camera = BlockMatrix::Zero(12, 12);
-  of_camera.bottomRightCorner<6, 6>() = P.bottomRightCorner<6, 6>() - gain * P.topRightCorner<6, 6>();
-  own.front() = of_camera;
+  FreeCameraMotion::chart.minus({after.data(), 13}, {before.data(), 13}, {shift.data(), 12});
+  after.tail<6>() += gain * shift.head<6>();
+  belief.set_mean(body, after);
+  const int first = belief.offset(body);
+  const auto X_last = errors.X.bottomRows<6>();
+  errors.Y.middleRows<6>(first) = X_last;
+  errors.Y.middleRows<6>(first + 6) = gain * X_last;
+  BlockMatrix own = BlockMatrix::Zero(12, 12);
+  own.bottomRightCorner<6, 6>() = P.bottomRightCorner<6, 6>() - gain * P.topRightCorner<6, 6>();
+  errors.own[first] = own;
+}
 
-  std::map<int, std::size_t> order;  // of the blocks by their first error
-  for (const auto& [id, landmark] : estimate.landmarks)
-    if (!landmark.fixed) order.emplace(belief.offset(landmark.block), 0);
-  std::size_t next = 1;
-  for (auto& [offset, index] : order) index = next++;
+/// Point `index` of the bundle. In inverse depth the position of its host precedes its own three errors.
+void Keyframes::replace_landmark(AnyBelief& belief, const Landmark& landmark, const Bundle& bundle,
+                                 std::size_t index, Errors& errors) const {
+  const BundlePoint& point = bundle.points[index];
+  const BundleEquations::Regression regression = equations_.regression(static_cast<int>(index));
+  const int first = belief.offset(landmark.block), of_host = is_inverse_depth(landmark) ? 3 : 0;
+  BlockVector mean(of_host + 3);
+  BlockMatrix own = BlockMatrix::Zero(of_host + 3, of_host + 3);
+  if (of_host > 0) {
+    mean.head<3>() = bundle.views[static_cast<std::size_t>(point.host)].position;
+    errors.Y.middleRows<3>(first) = errors.X.middleRows<3>(6 * point.host);
+    // The initial position duplicates that of the host: regularization keeps the covariance positive definite
+    own.topLeftCorner<3, 3>() = 1e-8 * Eigen::Matrix3d::Identity();
+  }
+  mean.tail<3>() = point.value;
+  own.bottomRightCorner<3, 3>() = regression.noise;
+  for (const auto& [view, J] : regression.parts)
+    errors.Y.middleRows<3>(first + of_host).noalias() += J * errors.X.middleRows<6>(6 * view);
+  belief.set_mean(landmark.block, mean);
+  errors.own[first] = own;
+}
+
+void Keyframes::replace_belief(Estimate& estimate, BlockId body, const Bundle& bundle) const {
+  Errors errors;
+  equations_.view_covariance_factor(errors.X);
+  errors.Y.setZero(estimate.belief.errors(), errors.X.cols());
+  replace_camera(estimate.belief, body, bundle.views.back(), errors);
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     const Landmark& landmark = estimate.landmarks.at(ids_[i]);
-    const BundlePoint& point = bundle.points[i];
-    if (landmark.fixed) continue;
-    const int offset = belief.offset(landmark.block);
-    const BundleEquations::Regression regression = equations_.regression(static_cast<int>(i));
-    const int own_rows = is_inverse_depth(landmark) ? 3 : 0;
-    BlockMatrix noise = BlockMatrix::Zero(own_rows + 3, own_rows + 3);
-    noise.bottomRightCorner(3, 3) = regression.noise;
-    if (own_rows == 3) {
-      // The initial position duplicates that of the host: regularization keeps the covariance positive definite
-      noise.topLeftCorner(3, 3) = 1e-8 * Eigen::Matrix3d::Identity();
-      Y.middleRows(offset, 3) = X.middleRows(6 * point.host, 3);
-      Eigen::Matrix<double, 6, 1> mean;
-      mean << bundle.views[static_cast<std::size_t>(point.host)].position, point.value;
-      belief.set_mean(landmark.block, mean);
-    } else {
-      belief.set_mean(landmark.block, point.value);
-    }
-    for (const auto& [view, J] : regression.parts)
-      Y.middleRows(offset + own_rows, 3).noalias() += J * X.middleRows(6 * view, 6);
-    own[order.at(offset)] = noise;
+    if (!landmark.fixed) replace_landmark(estimate.belief, landmark, bundle, i, errors);
   }
-  belief.set_covariance(own, Y);
+  std::vector<BlockMatrix> own;
+  for (const auto& [first, block] : errors.own) own.push_back(block);
+  estimate.belief.set_covariance(own, errors.Y);
 }
 
 AdjustmentReport Keyframes::adjust(Estimate& estimate, BlockId body, const Camera& camera,

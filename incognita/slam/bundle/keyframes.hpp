@@ -36,7 +36,6 @@ class Keyframes {
  public:
   /// Forgets all, and begins with a camera pose and its covariance (6 errors, as of BundleView).
   void start(const CameraState& camera, const Eigen::Matrix<double, 6, 6>& cov);
-  bool started() const { return !views_.empty(); }
 
   /// Counts a frame with these matches.
   bool is_due(const std::vector<KeyframeMatch>& matches, const KeyframePolicy& policy);
@@ -61,7 +60,17 @@ class Keyframes {
   };
 
   Bundle bundle_of(Estimate& estimate, const DepthPrior& prior);
-  void replace_belief(Estimate& estimate, BlockId body, const Bundle& bundle);
+
+  /// The errors of the belief: those of the views times a matrix, plus noise of each block of its own.
+  struct Errors {
+    Eigen::MatrixXd X;               ///< covariance of the errors of the views = X X'
+    Eigen::MatrixXd Y;               ///< errors of the belief x errors of the views, times X
+    std::map<int, BlockMatrix> own;  ///< noise, by the first error of the block
+  };
+  void replace_camera(AnyBelief& belief, BlockId body, const BundleView& last, Errors& errors) const;
+  void replace_landmark(AnyBelief& belief, const Landmark& landmark, const Bundle& bundle, std::size_t index,
+                        Errors& errors) const;
+  void replace_belief(Estimate& estimate, BlockId body, const Bundle& bundle) const;
 
   std::vector<BundleView> views_;
   Eigen::Matrix<double, 6, 6> first_view_cov_ = Eigen::Matrix<double, 6, 6>::Identity();

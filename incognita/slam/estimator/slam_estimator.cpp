@@ -33,6 +33,8 @@ std::string problem_of_camera(const FeatureTracker& camera, const EstimatorSetti
     return "bundle.adjust = true needs landmarks in inverse depth: landmark_initialization.method = `inverse-depth`";
   if (c.settings.bundle.adjust && s.filter.form == BeliefForm::information)
     return "bundle.adjust = true needs the filter in covariance form: estimator.form = `covariance`";
+  if (c.settings.bundle.adjust && s.filter.decorrelate != Decorrelation::nothing)
+    return "bundle.adjust = true keeps the correlations of the map: take estimator.decorrelate = `nothing`";
   if (s.filter.map_frame == MapFrame::vehicle)
     return "estimator.map_frame = `vehicle`: images are tracked in a map in the world frame; take `world`";
   if (s.filter.linearization == Linearization::first_estimate)

@@ -153,6 +153,13 @@ void FeatureTracker::maintain_map(Estimate& estimate, const AnyMotion& motion) {
   delete_bad_landmarks(estimate, camera_);
 }
 
+void FeatureTracker::adopt(std::int64_t id, Feature feature) {
+  if (camera_.settings.bundle.adjust)
+    throw std::logic_error(
+        "bundle.adjust = true: no keyframe has seen the landmarks of a saved map; take `false`");
+  camera_.features[id] = std::move(feature);
+}
+
 void FeatureTracker::add_new_landmarks_to_keyframe() {
   for (const auto& [id, feature] : camera_.features)
     keyframes_.add_if_new({id, feature.view.pixel, camera_.pixel_var() * Eigen::Matrix2d::Identity()});
@@ -184,7 +191,6 @@ void FeatureTracker::maintain_keyframes(Estimate& estimate, const AnyMotion& mot
   });
   simplify_landmarks(estimate, camera_);
   camera_.view = viewpoint(estimate, camera_, motion);
-  predict_matches(estimate, camera_);
   add_landmarks(estimate);
   add_new_landmarks_to_keyframe();
 }

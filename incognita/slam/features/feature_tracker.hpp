@@ -75,8 +75,9 @@ class FeatureTracker {
   /// Removes what means nothing without the pose.
   void forget_depth_lines(Estimate& estimate);
 
-  /// Takes over a landmark of the estimate, e.g. of a saved map, with its appearance.
-  void adopt(std::int64_t id, Feature feature) { camera_.features[id] = std::move(feature); }
+  /// Takes over a landmark of the estimate, e.g. of a saved map, with its appearance. Throws std::logic_error with
+  /// BundleSettings::adjust: no keyframe saw it.
+  void adopt(std::int64_t id, Feature feature);
 
   /// Appends the matches of this frame.
   void append_matches(FrameReport& report) const;

@@ -72,9 +72,18 @@ TEST(EurocCamera, IsReadInOtherYamlStyles) {
   EXPECT_FALSE(read("sensor_type: camera\n").camera);
 }
 
+TEST(EurocCamera, OfKalibrMayBeAFisheye) {
+  const EurocSensor sensor = read(with("radial-tangential", "equidistant"));
+  ASSERT_TRUE(sensor.camera);
+  EXPECT_EQ(sensor.camera->unfit, "");
+  const auto& lens = std::get<FisheyeLens>(sensor.camera->camera.model);
+  EXPECT_EQ(lens.k1, -0.28340811);
+  EXPECT_EQ(lens.k3, 0.00019359);
+  EXPECT_EQ(lens.k4, 1.76187114e-05);
+}
+
 TEST(EurocCamera, NamesAnUnsupportedModel) {
-  EXPECT_EQ(read(with("radial-tangential", "equidistant")).camera->unfit,
-            "distortion_model is `equidistant`");
+  EXPECT_EQ(read(with("radial-tangential", "fov")).camera->unfit, "distortion_model is `fov`");
   EXPECT_EQ(read(with("camera_model: pinhole", "camera_model: omni")).camera->unfit,
             "camera_model is `omni`");
 }

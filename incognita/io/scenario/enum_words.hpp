@@ -119,7 +119,7 @@ template <class Variant>
 inline constexpr auto alternative_words = nullptr;
 template <>
 inline constexpr auto alternative_words<decltype(CameraSettings::model)> =
-    std::to_array<const char*>({"wide-angle", "pinhole"});
+    std::to_array<const char*>({"wide-angle", "pinhole", "fisheye"});
 template <>
 inline constexpr auto alternative_words<decltype(TerrainSettings::type)> =
     std::to_array<const char*>({"waves", "plane", "image"});

@@ -97,8 +97,22 @@ struct PinholeLens {
   }
 };
 
+/// Distortion as in OpenCV's fisheye module, Kalibr's `equidistant`.
+struct FisheyeLens {
+  double k1 = 0, k2 = 0, k3 = 0, k4 = 0;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = FisheyeLens;
+    setting(&S::k1, "k1", "", any(), "Radial distortion, first term, as in OpenCV");
+    setting(&S::k2, "k2", "", any(), "Radial distortion, second term");
+    setting(&S::k3, "k3", "", any(), "Radial distortion, third term");
+    setting(&S::k4, "k4", "", any(), "Radial distortion, fourth term");
+  }
+};
+
 struct CameraSettings {
-  std::variant<WideAngleLens, PinholeLens> model;
+  std::variant<WideAngleLens, PinholeLens, FisheyeLens> model;
   int width_px = 320;
   int height_px = 240;
   double fu_px = 195;

@@ -124,6 +124,12 @@ template <>
 inline constexpr auto alternative_words<decltype(TerrainSettings::type)> =
     std::to_array<const char*>({"waves", "plane", "image"});
 template <>
+inline constexpr auto alternative_words<decltype(MotionSettings::type)> =
+    std::to_array<const char*>({"commanded", "trajectory"});
+template <>
+inline constexpr auto alternative_words<decltype(TrajectoryMotion::axes)> =
+    std::to_array<const char*>({"camera", "body"});
+template <>
 inline constexpr auto alternative_words<decltype(PathSettings::type)> =
     std::to_array<const char*>({"point", "circle", "back-and-forth", "way-points", "file"});
 

@@ -60,9 +60,10 @@ struct FisheyeCamera {
       const double excess = distorted(theta) - wanted;
       (excess > 0 ? high : low) = theta;
       const double next = theta - excess / slope(theta * theta);
-      const double inside = next > low && next < high ? next : 0.5 * (low + high);
-      if (std::abs(inside - theta) <= 1e-16 * (1 + theta)) break;
+      const double inside = next >= low && next <= high ? next : 0.5 * (low + high);
+      const double step = inside - theta;
       theta = inside;
+      if (std::abs(step) <= 1e-15 * (1 + theta)) break;  // a few units of rounding
     }
     const double scale = wanted < 1e-9 ? 1 : std::tan(theta) / wanted;
     return Eigen::Vector3d(d.x() * scale, d.y() * scale, 1);

@@ -171,15 +171,14 @@ TEST_F(CameraOfRecording, IsNotComparedWhereTheScenarioDisablesIt) {
 }
 
 TEST_F(CameraOfRecording, AnUnsupportedModelIsReported) {
-  scratch_.write("mav0/cam0/sensor.yaml", with("radial-tangential", "equidistant"));
+  scratch_.write("mav0/cam0/sensor.yaml", with("radial-tangential", "fov"));
   const std::string text = message_of([&] { load(""); });
-  EXPECT_HAS(text, "sensor.yaml: distortion_model is `equidistant`, which no camera model supports");
+  EXPECT_HAS(text, "sensor.yaml: distortion_model is `fov`, which no camera model supports");
   EXPECT_HAS(text, "undistort the images");
   const Recording recording = read_recording(load(typed));
   std::string notes;
   for (const std::string& note : recording.notes) notes += note + "\n";
-  EXPECT_HAS(notes,
-             "distortion_model is `equidistant`, which no camera model supports: the camera is not compared");
+  EXPECT_HAS(notes, "distortion_model is `fov`, which no camera model supports: the camera is not compared");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "incognita/models/motion/heading.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
+#include "incognita/world/motion_spline.hpp"
 #include "incognita/world/rendered/room_bodies.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
 
@@ -27,6 +28,27 @@ void measure(benchmark::State& state) {
   state.counters["frames"] = benchmark::Counter(static_cast<double>(frame), benchmark::Counter::kIsRate);
 }
 BENCHMARK(measure)->Unit(benchmark::kMillisecond);
+
+/// The same at 640x480 with a rolling shutter and an exposure of so many ms: a hand that turns by 0.9 rad/s.
+void measure_blurred(benchmark::State& state) {
+  RoomSettings settings;
+  settings.texel_m = 0.002;
+  static const auto fine = std::make_shared<const Room>(settings, 1);
+  RoomCamera camera(fine, WideAngleCamera{640, 480, 390, 390, 319.5, 239.5}, settings, 1, "sensor.image",
+                    {.duration_s = 1e-3 * static_cast<double>(state.range(0)), .readout_s = 0.02});
+  camera.follow([](double t) {
+    return extrapolated({{{0.3, -0.2, 1.3}, level_gaze(0)}, {0.05, 0.05, 0}, {0.05, 0.9, 0.05}}, t);
+  });
+  Truth truth{{BodyTruth{RigidPose{}}}};
+  std::int64_t frame = 0;
+  for (auto _ : state) {
+    BodyObservation observation;
+    camera.measure(truth, 0, Tick{frame, static_cast<double>(frame % 30) / 30, 0}, observation);
+    benchmark::DoNotOptimize(observation);
+    ++frame;
+  }
+}
+BENCHMARK(measure_blurred)->Arg(0)->Arg(5)->Arg(15)->Unit(benchmark::kMillisecond);
 
 void paint_room(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(Room(RoomSettings{}, 2));

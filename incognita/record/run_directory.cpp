@@ -30,7 +30,7 @@ bool is_numbered(std::string_view name, std::string_view prefix, std::string_vie
   return number.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// frame-000123.png, see FramePictures.
+/// frame-000123.png, see FramePictures and ImageRecording.
 bool is_frame_picture(std::string_view name) { return is_numbered(name, "frame-", ".png", 6); }
 
 /// Files from the second body on, see BodyTables.
@@ -76,8 +76,11 @@ void RunDirectory::remove_run_files() noexcept {
     for (const char* suffix : {".svg", ".gp"})
       fs::remove(file("figures") / (std::string(figure) + suffix), ignored);
   remove_where(file("frames"), is_frame_picture);
+  remove_where(file("recording") / "rgb", is_frame_picture);
+  for (const char* table : {"rgb.txt", "groundtruth.txt"}) fs::remove(file("recording") / table, ignored);
   remove_where(path_, is_of_vehicle);
-  for (const char* folder : {"figures", "frames"}) fs::remove(file(folder), ignored);  // only if empty
+  for (const char* folder : {"figures", "frames", "recording/rgb", "recording"})
+    fs::remove(file(folder), ignored);  // only if empty
 }
 
 void RunDirectory::discard() noexcept {

@@ -1,23 +1,15 @@
 #include "incognita/world/disturbed_images.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "incognita/world/image_gain.hpp"
 
 namespace incognita {
 namespace {
 
 constexpr std::uint8_t covered_gray = 8;  // a lens cap transmits a little light
-
-void scale(Image& image, double factor) {
-  for (int v = 0; v < image.height(); ++v) {
-    std::uint8_t* pixel = image.row(v);
-    for (int u = 0; u < image.width(); ++u)
-      pixel[u] = static_cast<std::uint8_t>(std::min(255L, std::lround(factor * pixel[u])));
-  }
-}
 
 }  // namespace
 
@@ -40,7 +32,7 @@ void DisturbedImages::change_light(const ChangeLight& light) {
 
 std::shared_ptr<const Image> DisturbedImages::disturbed(const Image& image) {
   auto out = std::make_shared<Image>(covered_ ? Image(image.width(), image.height(), covered_gray) : image);
-  if (light_ != 1 && !covered_) scale(*out, light_);
+  if (light_ != 1 && !covered_) apply_gain(*out, light_);
   if (noise_) noise_->add_to(*out);
   return out;
 }

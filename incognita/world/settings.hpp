@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "incognita/math/setting.hpp"
 
@@ -19,6 +20,7 @@ struct RoomSettings {
   double sigma_angular_acceleration_rad_s2 = 0.3;
   double clearance_m = 0.15;
   double cover_lens_from_s = -1;
+  double texel_m = 0.0045;
 
   static void describe(auto&& setting) {
     using namespace limits;
@@ -34,6 +36,8 @@ struct RoomSettings {
             "Standard deviation of the image noise in gray levels");
     setting(&S::clearance_m, "clearance_m", "m", between(0, 0.5),
             "Least distance of the camera, or of its vehicle's axle, from walls and boxes");
+    setting(&S::texel_m, "texel_m", "m", between(0.001, 0.05),
+            "Side of a texel of the walls; a pixel should cover one or more: the distance over camera.fu_px");
     setting(&S::cover_lens_from_s, "cover_lens_from_s", "s", any(),
             "Time from which the lens is covered; negative: never");
     setting(&S::sigma_start_position_m, "sigma_start_position_m", "m", between(0, 10),
@@ -46,6 +50,30 @@ struct RoomSettings {
     setting(&S::sigma_angular_acceleration_rad_s2, "sigma_angular_acceleration_rad_s2", "rad/s^2",
             between(0, 1000),
             "Standard deviation of the true disturbance of the angular acceleration per axis");
+  }
+};
+
+/// Exposure of the simulated camera in the rendered room. Time stamps are the middle of the exposure of the middle row.
+struct ExposureSettings {
+  double duration_s = 0;
+  double readout_s = 0;
+  double step_ratio = 1;
+  std::vector<double> step_times_s{};
+  double step_interval_s = 2;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = ExposureSettings;
+    setting(&S::duration_s, "duration_s", "s", between(0, 0.5),
+            "Exposure of each row; motion blurs the image");
+    setting(&S::readout_s, "readout_s", "s", between(0, 0.5),
+            "Time from the first row to the last of a rolling shutter; 0: global shutter");
+    setting(&S::step_ratio, "step_ratio", "", between(1, 4),
+            "Largest ratio of the brightness after a step of the exposure to that at the start; 1: no steps");
+    setting(&S::step_times_s, "step_times_s", "s", between(0, 1e7),
+            "Times at which the brightness rises by step_ratio and falls back, in turn; empty: random times");
+    setting(&S::step_interval_s, "step_interval_s", "s", above_up_to(0, 1e7),
+            "Mean time between random steps, each to a brightness between 1 / step_ratio and step_ratio");
   }
 };
 

@@ -17,7 +17,7 @@ using Names = std::tuple<std::string, std::string, const char*>;
 
 /// The values of sensor.type, the camera with either lens.
 std::vector<std::string> sensors_and_lenses() {
-  std::vector<std::string> names{"wide-angle", "pinhole"};
+  std::vector<std::string> names{"wide-angle", "pinhole", "fisheye"};
   for (const std::string& word : sensor_words())
     if (word != "camera") names.push_back(word);
   return names;

@@ -50,10 +50,9 @@ struct ModelChoice {
   bool line() const { return traits().on_line(); }
   bool plane() const { return traits().on_plane(); }
   bool body() const { return traits().in_space(); }
-  /// A camera has one of two lenses.
-  std::string sensor_word() const {
-    return sensor == "wide-angle" || sensor == "pinhole" ? "camera" : sensor;
-  }
+  /// A camera has one of three lenses.
+  bool is_lens() const { return sensor == "wide-angle" || sensor == "pinhole" || sensor == "fisheye"; }
+  std::string sensor_word() const { return is_lens() ? "camera" : sensor; }
   bool has_parameter(const std::string& key) const {
     for (const MotionEntry& entry : registered_motions())
       if (entry.traits.name == motion)
@@ -100,8 +99,8 @@ inline std::string text_of(const ModelChoice& c) {
     if (c.has_parameter(key)) text += std::string(key) + " = " + value + "\n";
   if (c.sensor == "wide-angle") text += "[camera]\nkd1_per_px2 = 9e-6\n";
   if (c.sensor == "pinhole") text += "[camera]\nmodel = \"pinhole\"\n";
-  if (c.sensor != "wide-angle" && c.sensor != "pinhole" &&
-      !measures_distance(make_sensor(c.sensor, c.traits())))
+  if (c.sensor == "fisheye") text += "[camera]\nmodel = \"fisheye\"\nk1 = 0.0035\nk4 = 0.0002\n";
+  if (!c.is_lens() && !measures_distance(make_sensor(c.sensor, c.traits())))
     text += "[landmark_initialization]\ninverse_depth_per_m = 0.15\nsigma_inverse_depth_per_m = 0.15\n";
   text += c.body() ? "[start]\npositions_m = [[-1.5, 0, 1]]\n" : "[start]\npositions_m = [[-2, 0, 0]]\n";
   return text + "[points]\ncount = 40\nsize_m = [12, 12, 2.5]\nknown = 8\n" + control_of(c);

@@ -38,6 +38,7 @@ incognita_program_test(program_campaign_test SOURCES app/program_campaign_test.c
 incognita_test(withheld_truth_test SOURCES app/withheld_truth_test.cpp USES incognita::app)
 incognita_test(run_description_test SOURCES app/run_description_test.cpp USES incognita::app)
 incognita_test(room_vehicle_test SOURCES app/room_vehicle_test.cpp USES incognita::app)
+incognita_test(room_motion_test SOURCES app/room_motion_test.cpp USES incognita::app fmt::fmt)
 incognita_test(combinations_test SOURCES app/combinations_test.cpp app/sensor_combinations_test.cpp USES incognita::app)
 incognita_test(laboratory_test SOURCES app/laboratory_test.cpp USES incognita_app_laboratory)
 # Compiles what the program alone contains

@@ -72,9 +72,18 @@ TEST(EurocCamera, IsReadInOtherYamlStyles) {
   EXPECT_FALSE(read("sensor_type: camera\n").camera);
 }
 
+TEST(EurocCamera, OfKalibrMayBeAFisheye) {
+  const EurocSensor sensor = read(with("radial-tangential", "equidistant"));
+  ASSERT_TRUE(sensor.camera);
+  EXPECT_EQ(sensor.camera->unfit, "");
+  const auto& lens = std::get<FisheyeLens>(sensor.camera->camera.model);
+  EXPECT_EQ(lens.k1, -0.28340811);
+  EXPECT_EQ(lens.k3, 0.00019359);
+  EXPECT_EQ(lens.k4, 1.76187114e-05);
+}
+
 TEST(EurocCamera, NamesAnUnsupportedModel) {
-  EXPECT_EQ(read(with("radial-tangential", "equidistant")).camera->unfit,
-            "distortion_model is `equidistant`");
+  EXPECT_EQ(read(with("radial-tangential", "fov")).camera->unfit, "distortion_model is `fov`");
   EXPECT_EQ(read(with("camera_model: pinhole", "camera_model: omni")).camera->unfit,
             "camera_model is `omni`");
 }
@@ -162,15 +171,14 @@ TEST_F(CameraOfRecording, IsNotComparedWhereTheScenarioDisablesIt) {
 }
 
 TEST_F(CameraOfRecording, AnUnsupportedModelIsReported) {
-  scratch_.write("mav0/cam0/sensor.yaml", with("radial-tangential", "equidistant"));
+  scratch_.write("mav0/cam0/sensor.yaml", with("radial-tangential", "fov"));
   const std::string text = message_of([&] { load(""); });
-  EXPECT_HAS(text, "sensor.yaml: distortion_model is `equidistant`, which no camera model supports");
+  EXPECT_HAS(text, "sensor.yaml: distortion_model is `fov`, which no camera model supports");
   EXPECT_HAS(text, "undistort the images");
   const Recording recording = read_recording(load(typed));
   std::string notes;
   for (const std::string& note : recording.notes) notes += note + "\n";
-  EXPECT_HAS(notes,
-             "distortion_model is `equidistant`, which no camera model supports: the camera is not compared");
+  EXPECT_HAS(notes, "distortion_model is `fov`, which no camera model supports: the camera is not compared");
 }
 
 }  // namespace

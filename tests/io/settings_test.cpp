@@ -183,8 +183,8 @@ TEST(Settings, AWrongChoiceIsTheOnlyProblem) {
        "mine.toml:2: world.type = \"point\": must be `room`, `points` or `recording`; the nearest is `points`"},
       {"[world]\ntype = \"points\"\n[vehicle]\nmodel = \"tricycle\"\nwheelbase_m = 2\nfront_m = 1\n",
        "mine.toml:4: vehicle.model = \"tricycle\": must be "},
-      {"[start]\nfrom = \"free\"\n[camera]\nmodel = \"fisheye\"\nk1 = 1\nk4 = 1\n",
-       "mine.toml:4: camera.model = \"fisheye\": must be `wide-angle` or `pinhole`"},
+      {"[start]\nfrom = \"free\"\n[camera]\nmodel = \"fish-eye\"\nk1 = 1\nk4 = 1\n",
+       "mine.toml:4: camera.model = \"fish-eye\": must be `wide-angle`, `pinhole` or `fisheye`"},
       {"[start]\nfrom = \"free\"\n[birth]\nmethod = \"line\"\n[landmark_initialization]\nparticles = 9\n",
        "mine.toml:4: `birth.method` is now `landmark_initialization.method`"},
       {"[run]\nworld = \"points\"\n[points]\ncount = 3\n[vehicle]\nmodel = "
@@ -355,7 +355,10 @@ TEST(LoadScenario, RefusesContradictions) {
       {"[camera]\nkd1_per_px2 = 0.34", "mine.toml:4: camera.kd1_per_px2 = 0.34: must leave a ray"},
       {"[camera]\nk1 = -8\nmodel = \"pinhole\"", "mine.toml:4: camera.k1 = -8.0: must leave a ray"},
       {"[camera]\nk1 = -0.3",
-       "mine.toml:4: `camera.k1` belongs to `camera.model = \"pinhole\"`; here `camera.model = \"wide-angle\"`"},
+       "mine.toml:4: `camera.k1` belongs to `camera.model = \"pinhole\" or \"fisheye\"`; here `camera.model = "
+       "\"wide-angle\"`"},
+      {"[camera]\nk4 = -0.3\nmodel = \"pinhole\"",
+       "mine.toml:4: `camera.k4` belongs to `camera.model = \"fisheye\"`; here `camera.model = \"pinhole\"`"},
       {"[camera]\nkd1_per_px2 = 9e-6\nmodel = \"pinhole\"",
        "mine.toml:4: `camera.kd1_per_px2` belongs to `camera.model = \"wide-angle\"`"},
       {"[room]\nsize_m = [6, 1.9, 2.5]",

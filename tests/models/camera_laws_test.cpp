@@ -11,6 +11,7 @@
 
 #include "incognita/math/random.hpp"
 #include "incognita/models/sensors/camera.hpp"
+#include "incognita/models/sensors/fisheye_camera.hpp"
 #include "incognita/models/sensors/pinhole_camera.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "tests/models/dual.hpp"
@@ -34,7 +35,19 @@ using Cameras = ::testing::Types<           //
     Example<PinholeCamera{}>,                                                 //
     Example<PinholeCamera{.k1 = -0.28, .k2 = 0.07, .p1 = 2e-4, .p2 = 2e-5}>,  // a lens of EuRoC
     // a lens of TUM RGB-D
-    Example<PinholeCamera{.k1 = 0.26, .k2 = -0.95, .p1 = -5e-3, .p2 = 3e-3, .k3 = 1.16}>>;
+    Example<PinholeCamera{.k1 = 0.26, .k2 = -0.95, .p1 = -5e-3, .p2 = 3e-3, .k3 = 1.16}>,
+    Example<FisheyeCamera{.fu = 129, .fv = 129}>,  // equidistant, corners at 88.5 degrees
+    // a lens of TUM VI, of which the image ends before 90 degrees here
+    Example<FisheyeCamera{.width = 400,
+                          .height = 400,
+                          .fu = 191,
+                          .fv = 190.9,
+                          .u0 = 199.9,
+                          .v0 = 200.9,
+                          .k1 = 0.0034824,
+                          .k2 = 0.0007151,
+                          .k3 = -0.0020532,
+                          .k4 = 0.0002029}>>;
 
 template <class E>
 class CameraLaws : public ::testing::Test {
@@ -194,6 +207,7 @@ TYPED_TEST(CameraLaws, InvalidParametersAreRefusedByName) {
   if constexpr (requires { &C::k1; }) expect_refused(good, &C::k1, "k1", {nan, inf});
   if constexpr (requires { &C::k2; }) expect_refused(good, &C::k2, "k2", {nan, inf});
   if constexpr (requires { &C::k3; }) expect_refused(good, &C::k3, "k3", {nan, inf});
+  if constexpr (requires { &C::k4; }) expect_refused(good, &C::k4, "k4", {nan, inf});
   if constexpr (requires { &C::p1; }) expect_refused(good, &C::p1, "p1", {nan, inf});
   if constexpr (requires { &C::p2; }) expect_refused(good, &C::p2, "p2", {nan, inf});
 }

@@ -8,6 +8,7 @@
 
 #include "incognita/math/random.hpp"
 #include "incognita/models/sensors/camera_measurement.hpp"
+#include "incognita/models/sensors/fisheye_camera.hpp"
 #include "incognita/models/sensors/pinhole_camera.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
 
@@ -20,6 +21,9 @@ inline constexpr int camera_errors = FreeCameraMotion::error_size;
 
 inline constexpr WideAngleCamera wide{.kd1 = 9e-6};  // field of view 100 degrees
 inline constexpr PinholeCamera pinhole{.k1 = -0.28, .k2 = 0.07, .p1 = 2e-4, .p2 = 2e-5};
+
+inline constexpr FisheyeCamera fisheye{
+    .fu = 140, .fv = 140, .k1 = 0.0035, .k2 = 0.0007, .k3 = -0.0021, .k4 = 0.0002};
 
 /// The camera displaced by its error, from the definition of the chart.
 template <class S>

@@ -37,6 +37,7 @@ void check_point_prediction(const Model& model) {
 TEST(PointMeasurement, JacobiansAreExact) {
   check_point_prediction(wide);
   check_point_prediction(pinhole);
+  check_point_prediction(fisheye);
 }
 
 TEST(PointMeasurement, IsUndefinedBehindTheCamera) {
@@ -99,6 +100,7 @@ void check_inverse_depth_prediction(const Model& model) {
 TEST(InverseDepthMeasurement, JacobiansAreExact) {
   check_inverse_depth_prediction(wide);
   check_inverse_depth_prediction(pinhole);
+  check_inverse_depth_prediction(fisheye);
 }
 
 TEST(InverseDepthMeasurement, EqualsThatOfTheSamePoint) {
@@ -161,7 +163,7 @@ std::vector<Vector2d> pixels_to_initialize_at() {
 
 TEST(Initialization, IsTheInverseOfTheMeasurement) {
   RandomStream random(5, "births");
-  for (const Camera& camera : {Camera(wide), Camera(pinhole)})
+  for (const Camera& camera : {Camera(wide), Camera(pinhole), Camera(fisheye)})
     for (const Vector2d& pixel : pixels_to_initialize_at())
       for (const double rho : {0.0, 1e-9, 0.5, 50.0}) {
         const CameraState x = some_camera(random);

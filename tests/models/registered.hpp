@@ -9,6 +9,7 @@
 
 #include "incognita/math/random.hpp"
 #include "incognita/models/any_sensor.hpp"
+#include "incognita/models/sensors/fisheye_camera.hpp"
 #include "incognita/models/sensors/pinhole_camera.hpp"
 #include "tests/models/grounds.hpp"
 #include "tests/small_vectors.hpp"
@@ -17,6 +18,8 @@ namespace incognita::registered {
 
 inline constexpr WideAngleCamera wide_lens{.kd1 = 9e-6};  // field of view 100 degrees
 inline constexpr PinholeCamera pinhole_lens{.k1 = -0.28, .k2 = 0.07, .p1 = 2e-4, .p2 = 2e-5};
+inline constexpr FisheyeCamera fisheye_lens{
+    .fu = 140, .fv = 140, .k1 = 0.0035, .k2 = 0.0007, .k3 = -0.0021, .k4 = 0.0002};
 inline const Mount some_mount{
     .forward_m = 0.2, .left_m = -0.1, .up_m = 0.6, .pitch_rad = -0.2, .yaw_rad = 0.4};
 
@@ -53,7 +56,7 @@ std::vector<Model> examples(const std::vector<Terrain>& all_grounds = {grounds::
       }
   if constexpr (requires(Model m) { m.lens(); }) {
     all.clear();
-    for (const Camera& lens : {Camera(wide_lens), Camera(pinhole_lens)})
+    for (const Camera& lens : {Camera(wide_lens), Camera(pinhole_lens), Camera(fisheye_lens)})
       for (Model model : plain) {
         model.lens() = lens;
         model.mount = some_mount;

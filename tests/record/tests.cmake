@@ -9,7 +9,7 @@ incognita_test(replay_test SOURCES record/mcap_index_test.cpp record/mcap_reader
                                    record/recorded_run_test.cpp
                USES incognita::record nlohmann_json::nlohmann_json)
 incognita_test(damaged_run_test SOURCES record/damaged_run_test.cpp USES incognita::app nlohmann_json::nlohmann_json)
-incognita_test(pictures_test SOURCES record/frame_pictures_test.cpp
+incognita_test(pictures_test SOURCES record/frame_pictures_test.cpp record/image_recording_test.cpp
                USES incognita::pictures opencv_core opencv_imgcodecs)
 add_test(NAME mcap.reference_reader COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/record/mcap/check
          $<TARGET_FILE:incognita_program> ${CMAKE_CURRENT_BINARY_DIR}/mcap)

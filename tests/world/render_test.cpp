@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "incognita/models/motion/heading.hpp"
+#include "incognita/models/sensors/fisheye_camera.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
 #include "incognita/world/rendered/room_bodies.hpp"
 
@@ -73,9 +74,9 @@ double edge_offset(const Image& image, const Eigen::Vector2d& on_edge, const Eig
   return dark - reach;
 }
 
-class Corners : public testing::TestWithParam<double> {
+class Corners : public testing::TestWithParam<Camera> {
  protected:
-  const Camera camera{WideAngleCamera{.kd1 = GetParam()}};
+  const Camera camera = GetParam();
   const Pose poses[5] = {pose(1.6, 0, 1.3, 0), pose(1.8, 0.3, 1.2, -0.2),
                          pose(1.5, -0.4, 1.5, 0.15, {0.1, 0, 0.3}), pose(0.8, 0.2, 1.4, 0.1, {0, 0, -0.5}),
                          pose(1.9, -0.7, 1.0, 0.5, {0.15, 0.1, 0})};
@@ -117,7 +118,9 @@ TEST_P(Corners, OfTheSheetAreDetectedWhereTheCameraModelProjectsThem) {
     EXPECT_LT(mean.norm(), 0.1) << mean.transpose();
   }
 }
-INSTANTIATE_TEST_SUITE_P(distortion, Corners, testing::Values(0.0, 9e-6));
+INSTANTIATE_TEST_SUITE_P(distortion, Corners,
+                         testing::Values(Camera(WideAngleCamera{}), Camera(WideAngleCamera{.kd1 = 9e-6}),
+                                         Camera(FisheyeCamera{.k1 = -0.03, .k2 = 0.01})));
 
 TEST(Render, LeftInTheWorldIsLeftInTheImage) {
   const Image image = picture(WideAngleCamera{}, pose(1.6, 0, 1.3, 0));

@@ -31,11 +31,13 @@ RecorderSink::RecorderSink(Options options, const RunInfo& info, std::int64_t fr
       progress_(frames) {
   for (const std::string& warning : info.warnings) print_message("warning: {}\n", warning);
   if (options_.save_frames) pictures_.emplace(recorder_.path(), info.patch_size_px);
+  if (options_.save_recording) recording_.emplace(recorder_.path());
 }
 
 void RecorderSink::publish(const Snapshot& s) {
   recorder_.publish(s);
   if (pictures_) pictures_->publish(s);
+  if (recording_) recording_->publish(s);
   progress_->show(s.tick.frame + 1, fmt::format("{}, {} matched, {} landmarks", name(s.status.state),
                                                 s.matched, s.landmarks.size()));
   reporter_.report(s);

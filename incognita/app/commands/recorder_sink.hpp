@@ -10,6 +10,7 @@
 #include "incognita/app/console/progress.hpp"
 #include "incognita/app/loop/scenario_run.hpp"
 #include "incognita/record/frame_pictures.hpp"
+#include "incognita/record/image_recording.hpp"
 #include "incognita/record/recorder.hpp"
 
 namespace incognita {
@@ -29,6 +30,7 @@ class RecorderSink : public RunSink {
   struct Options {
     std::string out;
     bool save_frames = false;
+    bool save_recording = false;
     bool figures = true;
     std::function<void(const Snapshot&)> frame_done;  ///< called at the end of every frame
   };
@@ -49,6 +51,7 @@ class RecorderSink : public RunSink {
   FolderLock lock_;  ///< acquired before any file of an earlier run is changed
   Recorder recorder_;
   std::optional<FramePictures> pictures_;
+  std::optional<ImageRecording> recording_;
   std::optional<Progress> progress_;
   StateReporter reporter_;
 };

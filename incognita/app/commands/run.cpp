@@ -38,6 +38,7 @@ struct Options {
   bool scenario_given = false;
   bool realtime = false;
   bool save_frames = false;
+  bool save_recording = false;
   bool no_figures = false;
   std::vector<std::string> view;  // the port, if the page is wanted
   PageOptions page;
@@ -77,10 +78,11 @@ void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
   }
 }
 
-void refuse_pictures_without_images(const Scenario& scenario) {
-  if (scenario.is_team()) throw InputError("--save-frames: there are no images with world.type = points");
+void refuse_pictures_without_images(const char* option, const Scenario& scenario) {
+  if (scenario.is_team())
+    throw InputError(fmt::format("{}: there are no images with world.type = points", option));
   if (scenario.sensor.type != "camera")
-    throw InputError("--save-frames: there are no images with sensor.type = range-bearing");
+    throw InputError(fmt::format("{}: there are no images with sensor.type = range-bearing", option));
 }
 
 /// Repeats the interventions of an earlier run at their ticks.
@@ -139,7 +141,8 @@ LoadedScenario load_or_repeat(Options& options) {
 RunOutcome run_once(const Options& options, const LoadedScenario& loaded, const std::string& out,
                     LivePage* page) {
   for (const std::string& line : loaded.overrides) print_message("{}\n", line);
-  if (options.save_frames) refuse_pictures_without_images(loaded.scenario);
+  if (options.save_frames) refuse_pictures_without_images("--save-frames", loaded.scenario);
+  if (options.save_recording) refuse_pictures_without_images("--save-recording", loaded.scenario);
   std::optional<LoggedInterventions> logged;
   if (options.replay_commands) logged.emplace(*options.replay_commands, options);
   std::optional<double> first_t;
@@ -164,8 +167,10 @@ RunOutcome run_once(const Options& options, const LoadedScenario& loaded, const 
   };
   const SinkFactory open = [&](const RunInfo& info, std::int64_t frames) {
     handle_signals();
-    auto sink = std::make_unique<RecorderSink>(
-        RecorderSink::Options{out, options.save_frames, !options.no_figures, frame_done}, info, frames);
+    auto sink =
+        std::make_unique<RecorderSink>(RecorderSink::Options{out, options.save_frames, options.save_recording,
+                                                             !options.no_figures, frame_done},
+                                       info, frames);
     if (page) page->begin(info, frames);
     return sink;
   };
@@ -263,6 +268,8 @@ CLI::App* add_run(CLI::App& app, std::function<int()>& job) {
   command->add_flag("--realtime", options->realtime, "Not faster than real time");
   command->add_flag("--save-frames", options->save_frames,
                     "Write a picture of every frame with its search ellipses");
+  command->add_flag("--save-recording", options->save_recording,
+                    "Write the images and the true poses as a recording in TUM layout");
   command->add_flag("--no-figures", options->no_figures, "Draw no figures");
   command->add_flag("--view{0}", options->view,
                     "Serve the page: watch and control the run in a browser; =PORT, else any free one");

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
 #include "incognita/app/loop/operator_assembly.hpp"
+#include "incognita/app/loop/room_motion.hpp"
 #include "incognita/app/loop/world_outline.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/decision.hpp"
@@ -62,6 +64,12 @@ void put_estimator(std::unique_ptr<SlamEstimator> estimator, const Scenario& s, 
   parts.estimator = std::move(estimator);
 }
 
+std::unique_ptr<RoomCamera> room_camera(std::shared_ptr<const Room> room, const Camera& camera,
+                                        const Scenario& s) {
+  return std::make_unique<RoomCamera>(std::move(room), camera, s.room, static_cast<std::uint64_t>(s.run.seed),
+                                      "sensor.image", s.exposure);
+}
+
 /// A vehicle carries the camera.
 void put_vehicle(const LoadedScenario& loaded, const Camera& camera, const std::optional<Target>& target,
                  Assembly& out) {
@@ -78,13 +86,33 @@ void put_vehicle(const LoadedScenario& loaded, const Camera& camera, const std::
       vehicle_in_room({ground}, s.mount, simulated_vehicle(s, 0, ground).body.plant, room->layout(),
                       s.room.clearance_m),
       seed);
-  parts.sensor = std::make_unique<SensorSet>(sensors_of_body(
-      std::make_unique<RoomCamera>(room, camera, s.room, seed), std::make_unique<WheelEncoders>(),
-      std::make_unique<ProximityRing>(room->layout(), RangeRing{}, seed)));
+  parts.sensor = std::make_unique<SensorSet>(
+      sensors_of_body(room_camera(room, camera, s), std::make_unique<WheelEncoders>(),
+                      std::make_unique<ProximityRing>(room->layout(), RangeRing{}, seed)));
   std::optional<WheelOdometry> odometry;
   if (s.slam.filter.odometry) odometry = odometry_of(s);
   put_estimator(image_estimator(loaded, camera, target, odometry), s, parts);
   parts.controller = carrier_controller(loaded, ground);
+}
+
+/// The camera follows a recorded motion. As with recorded images, the filter must not predict by any command.
+void put_recorded_motion(const LoadedScenario& loaded, const Camera& camera,
+                         const std::optional<Target>& target, Assembly& out) {
+  LoopParts& parts = out.parts;
+  const Scenario& s = loaded.scenario;
+  const auto room = std::make_shared<const Room>(s.room, static_cast<std::uint64_t>(s.run.seed));
+  out.info.room = outline_of(room->layout());
+  if (target) check_sheet(loaded, *target, room->layout().sheet);
+  const RoomMotion motion = motion_in_room(loaded, room->layout());
+  for (const std::string& note : motion.notes) out.notes.push_back(note);
+  parts.clock =
+      std::make_unique<FixedRateClock>(s.run.rate_hz, std::max(motion.duration_s, 1 / s.run.rate_hz));
+  parts.world = std::make_unique<ReplayWorld>(std::vector{truth_of(motion)});
+  auto lens = room_camera(room, camera, s);
+  lens->follow([spline = motion.world_from_camera](double t) { return spline->at(t).pose; });
+  parts.sensor = std::make_unique<SensorSet>(sensors_of_body(std::move(lens)));
+  put_estimator(image_estimator(loaded, camera, target), s, parts);
+  parts.controller = std::make_unique<SteeringController>();
 }
 
 /// The camera flies, or an operator holds it.
@@ -99,8 +127,7 @@ void put_free_camera(const LoadedScenario& loaded, const Camera& camera, const s
   SimulatedBody body = camera_in_room(s.room, room->layout(), seed);
   if (s.operator_settings.holds) body.actuator = operator_of(s, 0);
   parts.world = std::make_unique<SimulatedWorld>(std::move(body), seed);
-  parts.sensor =
-      std::make_unique<SensorSet>(sensors_of_body(std::make_unique<RoomCamera>(room, camera, s.room, seed)));
+  parts.sensor = std::make_unique<SensorSet>(sensors_of_body(room_camera(room, camera, s)));
   put_estimator(image_estimator(loaded, camera, target), s, parts);
   parts.controller = std::make_unique<SteeringController>(
       std::vector{free_camera_control(s.control, s.operator_settings.holds)}, 1 / s.run.rate_hz);
@@ -115,11 +142,14 @@ Assembly assemble_rendered(const LoadedScenario& loaded) {
   Assembly out;
   put_scenario(loaded, out.info);
   out.info.ate_alignment = target ? "none" : "sim3";
-  out.info.inputs = input_names(s.is_room_vehicle() ? motion_traits<TerrainVehicle> : s.motion());
+  if (!s.has_recorded_motion())
+    out.info.inputs = input_names(s.is_room_vehicle() ? motion_traits<TerrainVehicle> : s.motion());
   if (!target) out.notes.emplace_back("no target: the scale is unobservable, lengths are in arbitrary units");
   out.parts.clock = std::make_unique<FixedRateClock>(s.run.rate_hz, s.run.duration_s);
   if (s.is_room_vehicle())
     put_vehicle(loaded, camera, target, out);
+  else if (s.has_recorded_motion())
+    put_recorded_motion(loaded, camera, target, out);
   else
     put_free_camera(loaded, camera, target, out);
   return out;

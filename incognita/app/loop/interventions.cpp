@@ -30,11 +30,11 @@ Wrapper* wrap(std::unique_ptr<Part>& part, More... more) {
 std::vector<std::string> possible_disturbances(const Scenario& scenario) {
   std::vector<std::string> names;
   if (has_images(scenario)) names = {"cover-lens", "image-noise", "light"};
-  if (!scenario.is_recording()) names.insert(names.end(), {"displace", "push"});
+  if (!scenario.has_recorded_motion()) names.insert(names.end(), {"displace", "push"});
   return names;
 }
 
-bool can_be_taken_over(const Scenario& scenario) { return !scenario.is_recording(); }
+bool can_be_taken_over(const Scenario& scenario) { return !scenario.has_recorded_motion(); }
 
 Interventions::Interventions(LoopParts& parts, const Scenario& scenario, InterventionSource& source)
     : parts_(parts),

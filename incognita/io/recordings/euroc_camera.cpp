@@ -80,12 +80,22 @@ std::optional<Eigen::Matrix4d> body_from_camera(const SensorFile& file) {
   return m;
 }
 
-/// The `pinhole` model has OpenCV's coefficient order k1 k2 p1 p2 k3; EuRoC has the same without k3.
-PinholeLens lens_of(const std::vector<double>& k) {
-  PinholeLens lens;
-  double* const places[] = {&lens.k1, &lens.k2, &lens.p1, &lens.p2, &lens.k3};
-  for (std::size_t i = 0; i < k.size(); ++i) *places[i] = k[i];
-  return lens;
+/// Whether the distortion is that of the `fisheye` model, by the words of Kalibr and of OpenCV.
+bool is_fisheye(const SensorFile& file) {
+  const std::string lens = file.word("distortion_model");
+  return lens == "equidistant" || lens == "fisheye";
+}
+
+/// The `pinhole` model has OpenCV's coefficient order k1 k2 p1 p2 k3; EuRoC has the same without k3. The `fisheye` model has
+/// k1 k2 k3 k4, as Kalibr and OpenCV.
+decltype(CameraSettings::model) lens_of(const SensorFile& file, const std::vector<double>& k) {
+  PinholeLens pinhole;
+  FisheyeLens fisheye;
+  double* const of_pinhole[] = {&pinhole.k1, &pinhole.k2, &pinhole.p1, &pinhole.p2, &pinhole.k3};
+  double* const of_fisheye[] = {&fisheye.k1, &fisheye.k2, &fisheye.k3, &fisheye.k4};
+  for (std::size_t i = 0; i < k.size(); ++i) *(is_fisheye(file) ? of_fisheye : of_pinhole)[i] = k[i];
+  if (is_fisheye(file)) return fisheye;
+  return pinhole;
 }
 
 std::string why_unfit(const SensorFile& file, const std::vector<double>& distortion) {
@@ -93,8 +103,9 @@ std::string why_unfit(const SensorFile& file, const std::vector<double>& distort
   const bool radial_tangential = lens == "radial-tangential" || lens == "radtan" || lens == "plumb_bob" ||
                                  lens == "none" || lens.empty();
   if (model != "pinhole") return fmt::format("camera_model is `{}`", model);
-  if (!radial_tangential) return fmt::format("distortion_model is `{}`", lens);
-  if (distortion.size() > 5) return fmt::format("there are {} distortion_coefficients", distortion.size());
+  if (!radial_tangential && !is_fisheye(file)) return fmt::format("distortion_model is `{}`", lens);
+  if (distortion.size() > (is_fisheye(file) ? 4 : 5))
+    return fmt::format("there are {} distortion_coefficients", distortion.size());
   return "";
 }
 
@@ -111,7 +122,7 @@ std::optional<CalibratedCamera> camera_of(const SensorFile& file, const std::fil
   if (size.size() != 2 || !(size[0] >= 1 && size[0] <= 1e5 && size[1] >= 1 && size[1] <= 1e5))
     file.refuse("resolution", "must be width and height in px");
   CameraSettings& camera = found.camera;
-  camera.model = lens_of(distortion);
+  camera.model = lens_of(file, distortion);
   camera.width_px = static_cast<int>(size[0]), camera.height_px = static_cast<int>(size[1]);
   camera.fu_px = f[0], camera.fv_px = f[1], camera.u0_px = f[2], camera.v0_px = f[3];
   return found;

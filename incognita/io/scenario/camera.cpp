@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "incognita/messages/unfit_setting.hpp"
+#include "incognita/models/sensors/fisheye_camera.hpp"
 #include "incognita/models/sensors/pinhole_camera.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
 
@@ -38,6 +39,12 @@ Camera make_camera(const CameraSettings& s) {
     const Camera camera =
         WideAngleCamera{s.width_px, s.height_px, s.fu_px, s.fv_px, s.u0_px, s.v0_px, lens->kd1_per_px2};
     need_rays(camera, s, "camera.kd1_per_px2");
+    return camera;
+  }
+  if (const auto* lens = std::get_if<FisheyeLens>(&s.model)) {
+    const Camera camera = FisheyeCamera{s.width_px, s.height_px, s.fu_px,  s.fv_px,  s.u0_px,
+                                        s.v0_px,    lens->k1,    lens->k2, lens->k3, lens->k4};
+    need_rays(camera, s, "camera.k1");
     return camera;
   }
   const auto& lens = std::get<PinholeLens>(s.model);

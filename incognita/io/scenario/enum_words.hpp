@@ -119,10 +119,16 @@ template <class Variant>
 inline constexpr auto alternative_words = nullptr;
 template <>
 inline constexpr auto alternative_words<decltype(CameraSettings::model)> =
-    std::to_array<const char*>({"wide-angle", "pinhole"});
+    std::to_array<const char*>({"wide-angle", "pinhole", "fisheye"});
 template <>
 inline constexpr auto alternative_words<decltype(TerrainSettings::type)> =
     std::to_array<const char*>({"waves", "plane", "image"});
+template <>
+inline constexpr auto alternative_words<decltype(MotionSettings::type)> =
+    std::to_array<const char*>({"commanded", "trajectory"});
+template <>
+inline constexpr auto alternative_words<decltype(TrajectoryMotion::axes)> =
+    std::to_array<const char*>({"camera", "body"});
 template <>
 inline constexpr auto alternative_words<decltype(PathSettings::type)> =
     std::to_array<const char*>({"point", "circle", "back-and-forth", "way-points", "file"});

@@ -97,8 +97,22 @@ struct PinholeLens {
   }
 };
 
+/// Distortion as in OpenCV's fisheye module, Kalibr's `equidistant`.
+struct FisheyeLens {
+  double k1 = 0, k2 = 0, k3 = 0, k4 = 0;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = FisheyeLens;
+    setting(&S::k1, "k1", "", any(), "Radial distortion, first term, as in OpenCV");
+    setting(&S::k2, "k2", "", any(), "Radial distortion, second term");
+    setting(&S::k3, "k3", "", any(), "Radial distortion, third term");
+    setting(&S::k4, "k4", "", any(), "Radial distortion, fourth term");
+  }
+};
+
 struct CameraSettings {
-  std::variant<WideAngleLens, PinholeLens> model;
+  std::variant<WideAngleLens, PinholeLens, FisheyeLens> model;
   int width_px = 320;
   int height_px = 240;
   double fu_px = 195;
@@ -305,6 +319,58 @@ struct TerrainSettings {
   }
 };
 
+/// Axes of the poses of a trajectory: those of a camera, x right, y down, z forward.
+struct CameraAxes {
+  static void describe(auto&&) {}
+};
+
+/// Those of a body that carries the camera at its origin. The default are the axes of the EuRoC vehicle, x up and z
+/// forward.
+struct BodyAxes {
+  Eigen::Vector3d body_from_camera_rad{0, 0, 1.5707963267948966};
+
+  static void describe(auto&& setting) {
+    setting(
+        &BodyAxes::body_from_camera_rad, "body_from_camera_rad", "rad", limits::between(-6.3, 6.3),
+        "Rotation vector from camera axes (x right, y down, z forward) to those of the trajectory; the default "
+        "is for x up and z forward, as in EuRoC; [-1.2092, 1.2092, -1.2092] is for x forward and z up");
+  }
+};
+
+/// The camera moves by itself: it obeys commands.
+struct CommandedMotion {
+  static void describe(auto&&) {}
+};
+
+/// The camera follows a recorded trajectory, placed in the room.
+struct TrajectoryMotion {
+  std::string file;
+  double start_s = 0;
+  std::variant<CameraAxes, BodyAxes> axes;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = TrajectoryMotion;
+    setting(
+        &S::file, "file", "", any(),
+        "Trajectory as lines of t x y z qx qy qz qw (TUM), or a table of EuRoC, z up; beside the scenario or under "
+        "the data folder");
+    setting(&S::start_s, "start_s", "s", between(0, 1e7),
+            "Time after the start of the trajectory at which the run starts");
+    setting(&S::axes, "axes", "", any(), "Axes of the orientations in the trajectory");
+  }
+};
+
+/// The true motion of the camera in the rendered room.
+struct MotionSettings {
+  std::variant<CommandedMotion, TrajectoryMotion> type;
+
+  static void describe(auto&& setting) {
+    setting(&MotionSettings::type, "type", "", limits::any(),
+            "True motion of the camera: as commanded, or along a recorded trajectory, whatever is commanded");
+  }
+};
+
 struct ControllerSettings {
   ControlLaw law = ControlLaw::none;
   std::vector<double> input{};
@@ -363,6 +429,8 @@ struct Scenario {
   CameraSettings camera;
   RecordingSettings recording;
   RoomSettings room;
+  ExposureSettings exposure;
+  MotionSettings true_motion;
   PointsSettings points;
   StartSettings start;
   TeamStartSettings team_start;
@@ -389,6 +457,11 @@ struct Scenario {
   /// Whether a vehicle on uneven ground carries the camera through the rendered room.
   bool is_room_vehicle() const {
     return world.type == WorldSettings::Type::room && motion().space == Space::uneven_ground;
+  }
+  /// Whether the true motion is that of a recording, also in the rendered room: commands and disturbances have no effect.
+  bool has_recorded_motion() const {
+    return is_recording() || (world.type == WorldSettings::Type::room && !is_room_vehicle() &&
+                              std::holds_alternative<TrajectoryMotion>(true_motion.type));
   }
   /// Whether a camera is carried by a vehicle that its filter does not model: thesis Section 6.4.
   bool has_carried_camera() const {

@@ -52,6 +52,11 @@ void check_search(const Scenario& s, List& found) {
 }
 
 void check_room(const Scenario& s, List& found) {
+  const auto* trajectory = std::get_if<TrajectoryMotion>(&s.true_motion.type);
+  if (s.has_recorded_motion() && trajectory->file.empty())
+    found.push_back({"motion.file", "must name a trajectory, motion.type being `trajectory`"});
+  if (!std::ranges::is_sorted(s.exposure.step_times_s))
+    found.push_back({"exposure.step_times_s", "must increase"});
   if (constexpr double most_frames = 1e9; s.run.duration_s * s.run.rate_hz > most_frames)
     found.push_back({"run.duration_s", fmt::format("must make at most {:g} frames, run.rate_hz being {}",
                                                    most_frames, s.run.rate_hz)});

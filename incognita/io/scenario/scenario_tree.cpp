@@ -278,18 +278,40 @@ void room_vehicle(SettingReader& r, Scenario& s) {
   controller(r, s, bodies_of(s));
 }
 
+/// A target is in view only of a camera that starts at it, so the start of a recorded motion is free unless it is given.
+void room_motion(SettingReader& r, Scenario& s) {
+  r.section("motion");
+  r.some(s.true_motion, &MotionSettings::type);
+  auto* trajectory = std::get_if<TrajectoryMotion>(&s.true_motion.type);
+  if (!trajectory) return;
+  r.some(*trajectory, &TrajectoryMotion::file, &TrajectoryMotion::start_s);
+  r.alternative(*trajectory, &TrajectoryMotion::axes);
+  s.start.from = StartSettings::From::free;
+}
+
+void exposure(SettingReader& r, ExposureSettings& e) {
+  using E = ExposureSettings;
+  r.section("exposure");
+  r.some(e, &E::duration_s, &E::readout_s, &E::step_ratio, &E::step_times_s);
+  if (e.step_times_s.empty()) r.some(e, &E::step_interval_s);
+}
+
 void room(SettingReader& r, Scenario& s) {
   using R = RoomSettings;
   vehicle_model(r, s, {"free-camera", "terrain"});
   sensor_type(r, s, {"camera"});
   run(r, s, true, true);
   r.section("room");
-  r.some(s.room, &R::size_m, &R::boxes, &R::sigma_image_gray, &R::clearance_m, &R::cover_lens_from_s);
+  r.some(s.room, &R::size_m, &R::boxes, &R::texel_m, &R::sigma_image_gray, &R::clearance_m,
+         &R::cover_lens_from_s);
+  exposure(r, s.exposure);
   read_camera(r, s.camera);
+  if (!s.is_room_vehicle()) room_motion(r, s);
   image_estimator(r, s);
   if (s.is_room_vehicle()) return room_vehicle(r, s);
   r.section("room");
   r.some(s.room, &R::start_position_m, &R::start_heading_rad);
+  if (s.has_recorded_motion()) return free_camera_decision(r, s);  // as of recorded images
   r.section("plant");
   r.some(s.room, &R::sigma_start_position_m, &R::sigma_start_heading_rad, &R::sigma_acceleration_m_s2,
          &R::sigma_angular_acceleration_rad_s2);

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,6 +45,11 @@ struct TileView {
   bool ground = false;  ///< whether uneven ground may be visible
 };
 
+/// What is visible in one of two views.
+TileView either(const TileView& a, const TileView& b) {
+  return {a.boxes | b.boxes, a.wall == b.wall ? a.wall : -1, a.sheet || b.sheet, a.ground || b.ground};
+}
+
 /// What a ray meets.
 struct VisibleParts {
   std::uint8_t id = nothing;  ///< surface id
@@ -60,15 +68,18 @@ float share_within(float x, float half, float width) {
   return std::max(0.0f, high - low) / width;
 }
 
-/// Renders one image; holds all that is the same for its pixels.
+/// Renders one image; holds all that is the same for the pixels of a row.
 class Picture {
  public:
-  Picture(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
-          const Eigen::Vector4d& world_from_camera);
+  /// `poses`: one for all rows, or one per row.
+  Picture(const Room& room, const RayTable& rays, std::span<const RigidPose> poses);
 
   void draw(Image& out);
 
  private:
+  bool moves() const { return poses_.size() > 1; }
+  void place(const RigidPose& world_from_camera);
+  void see_tiles(int tile_row);
   Bounds relative(const Box& box) const;
   Direction turned(float x, float y, float z = 1) const {
     return {r_[0] * x + r_[1] * y + r_[2] * z, r_[3] * x + r_[4] * y + r_[5] * z,
@@ -81,7 +92,7 @@ class Picture {
 
   void draw_rays(std::size_t first, int count, const TileView& view, std::uint8_t* pixels);
   void draw_wall(std::size_t first, int count, const TileView& view, std::uint8_t* pixels);
-  void smooth_edges(Image& out) const;
+  void smooth_edges(Image& out);
   bool on_edge(std::size_t at) const;
   bool on_crest(std::size_t at) const;
   int mean_of_four(std::size_t at, const TileView& view) const;
@@ -94,36 +105,57 @@ class Picture {
 
   const Room& room_;
   const RayTable& rays_;
+  std::span<const RigidPose> poses_;
+  // of the row being drawn:
   Eigen::Vector3d position_;
   std::array<float, 9> r_;  ///< world_from_camera, row by row
   Direction eye_;           ///< camera position, m
   Bounds inside_, sheet_, ground_;
   std::vector<Bounds> boxes_;
+  // of the image:
   std::vector<TileView> tiles_;
   std::vector<std::uint8_t> ids_;  ///< surface visible in each pixel
   /// Inverse ray parameter of the uneven ground in each pixel; empty for a level floor.
   std::vector<float> nearness_;
 };
 
-Picture::Picture(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
-                 const Eigen::Vector4d& world_from_camera)
-    : room_(room), rays_(rays), position_(position), ids_(rays.x.size(), nothing) {
-  const Eigen::Matrix3d r = rotation_matrix<double>(world_from_camera);
+Picture::Picture(const Room& room, const RayTable& rays, std::span<const RigidPose> poses)
+    : room_(room), rays_(rays), poses_(poses), ids_(rays.x.size(), nothing) {
+  if (room.ground()) nearness_.assign(rays.x.size(), 0);
+  place(poses.front());
+  tiles_.reserve(rays.cones.size());
+  for (int row = 0; row < rays.tiles_down; ++row) see_tiles(row);
+}
+
+/// Puts the camera where it is while it exposes a row.
+void Picture::place(const RigidPose& world_from_camera) {
+  const Eigen::Matrix3d r = rotation_matrix<double>(world_from_camera.world_from_body);
+  position_ = world_from_camera.position;
   for (int i = 0; i < 9; ++i) r_[i] = static_cast<float>(r(i / 3, i % 3));
-  inside_ = relative(room.layout().inside);
-  for (int i = 0; i < 3; ++i) eye_[i] = static_cast<float>(position[i]);
-  if (const Ground* ground = room.ground()) {
-    Box bounds = room.layout().inside;
+  inside_ = relative(room_.layout().inside);
+  for (int i = 0; i < 3; ++i) eye_[i] = static_cast<float>(position_[i]);
+  if (const Ground* ground = room_.ground()) {
+    Box bounds = room_.layout().inside;
     bounds.max.z() = ground->highest_m();
     ground_ = relative(bounds);
-    nearness_.assign(rays.x.size(), 0);
   }
-  const Sheet& sheet = room.layout().sheet;
+  const Sheet& sheet = room_.layout().sheet;
   const Eigen::Vector3d half(0, sheet.width / 2, sheet.height / 2), middle(sheet.x, sheet.y, sheet.z);
   sheet_ = relative({middle - half, middle + half});
-  for (const Box& box : room.layout().boxes) boxes_.push_back(relative(box));
-  tiles_.reserve(rays.cones.size());
-  for (const RayTable::Cone& cone : rays.cones) tiles_.push_back(view_of(cone));
+  boxes_.clear();
+  for (const Box& box : room_.layout().boxes) boxes_.push_back(relative(box));
+}
+
+/// What is visible in a row of tiles from its first or its last row of pixels. Between them a camera moves by a fraction
+/// of a pixel, which is within the margin of the cones.
+void Picture::see_tiles(int tile_row) {
+  const std::size_t first = static_cast<std::size_t>(tile_row) * rays_.tiles_across;
+  const auto see = [&](int u) { return view_of(rays_.cones[first + u]); };
+  if (moves()) place(poses_[tile_row * tile_px]);
+  for (int u = 0; u < rays_.tiles_across; ++u) tiles_.push_back(see(u));
+  if (!moves()) return;
+  place(poses_[std::min((tile_row + 1) * tile_px, rays_.height) - 1]);
+  for (int u = 0; u < rays_.tiles_across; ++u) tiles_[first + u] = either(tiles_[first + u], see(u));
 }
 
 Bounds Picture::relative(const Box& box) const {
@@ -174,7 +206,8 @@ bool Picture::only_wall(int wall, const Direction& axis, float sin_half_angle) c
 }
 
 void Picture::draw(Image& out) {
-  for (int v = 0; v < rays_.height; ++v)
+  for (int v = 0; v < rays_.height; ++v) {
+    if (moves()) place(poses_[v]);
     for (int tile = 0; tile < rays_.tiles_across; ++tile) {
       const TileView& view = tiles_[v / tile_px * rays_.tiles_across + tile];
       const int u = tile * tile_px, count = std::min(tile_px, rays_.width - u);
@@ -183,6 +216,7 @@ void Picture::draw(Image& out) {
       else
         draw_rays(rays_.index(u, v), count, view, out.row(v) + u);
     }
+  }
   smooth_edges(out);
 }
 
@@ -217,8 +251,9 @@ void Picture::draw_wall(std::size_t first, int count, const TileView& view, std:
 
 /// Antialiasing: the mipmaps smooth the textures, so steps appear only where two surfaces meet. Only those pixels are
 /// supersampled with four rays. Tiles that see only one wall contain none, not even at their borders.
-void Picture::smooth_edges(Image& out) const {
-  for (int v = 1; v < rays_.height - 1; ++v)
+void Picture::smooth_edges(Image& out) {
+  for (int v = 1; v < rays_.height - 1; ++v) {
+    if (moves()) place(poses_[v]);
     for (int tile = 0; tile < rays_.tiles_across; ++tile) {
       const TileView& view = tiles_[v / tile_px * rays_.tiles_across + tile];
       if (view.wall >= 0) continue;
@@ -227,6 +262,7 @@ void Picture::smooth_edges(Image& out) const {
         if (const std::size_t at = rays_.index(u, v); on_edge(at) || (view.ground && on_crest(at)))
           out(u, v) = rounded(mean_of_four(at, view));
     }
+  }
 }
 
 bool Picture::on_edge(std::size_t at) const {
@@ -352,17 +388,28 @@ inline int Picture::with_sheet(int wall, const Direction& d, float footprint) co
 
 }  // namespace
 
+void render(const Room& room, const RayTable& rays, std::span<const RigidPose> row_poses, Image& out) {
+  const std::size_t rows = static_cast<std::size_t>(rays.height);
+  if (row_poses.size() != 1 && row_poses.size() != rows)
+    throw std::invalid_argument("an image is rendered from one pose, or from one per row, " +
+                                std::to_string(rows) + "; got " + std::to_string(row_poses.size()));
+  if (out.width() != rays.width || out.height() != rays.height) out = Image(rays.width, rays.height);
+  const auto sees_nothing = [&](const RigidPose& pose) {
+    const Ground* ground = room.ground();
+    const Eigen::Vector3f at = pose.position.cast<float>();
+    const bool buried = ground && !(at.z() > ground->at(at.x(), at.y()).height);
+    return buried || !room.layout().inside.contains(pose.position);
+  };
+  if (std::ranges::any_of(row_poses, sees_nothing))
+    out = Image(rays.width, rays.height);
+  else
+    Picture(room, rays, row_poses).draw(out);
+}
+
 void render(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
             const Eigen::Vector4d& world_from_camera, Image& out) {
-  if (out.width() != rays.width || out.height() != rays.height) out = Image(rays.width, rays.height);
-  const Ground* ground = room.ground();
-  const Eigen::Vector3f at = position.cast<float>();
-  const bool buried = ground && !(at.z() > ground->at(at.x(), at.y()).height);
-  if (buried || !room.layout().inside.contains(position)) {
-    out = Image(rays.width, rays.height);
-    return;
-  }
-  Picture(room, rays, position, world_from_camera).draw(out);
+  const RigidPose pose{position, world_from_camera};
+  render(room, rays, {&pose, 1}, out);
 }
 
 }  // namespace incognita

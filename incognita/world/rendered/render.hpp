@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
+#include "incognita/models/motion/rigid_pose.hpp"
 #include "incognita/vision/image.hpp"
 #include "incognita/world/rendered/ray_table.hpp"
 #include "incognita/world/rendered/room.hpp"
@@ -14,5 +16,9 @@ namespace incognita {
 /// reuses its memory.
 void render(const Room& room, const RayTable& rays, const Eigen::Vector3d& position,
             const Eigen::Vector4d& world_from_camera, Image& out);
+
+/// The same from one pose, or from one per row, for a rolling shutter: the poses of neighboring rows must differ by a
+/// fraction of a pixel. Throws std::invalid_argument for another number of poses.
+void render(const Room& room, const RayTable& rays, std::span<const RigidPose> row_poses, Image& out);
 
 }  // namespace incognita

@@ -13,8 +13,11 @@ constexpr double max_texels = 2400;  // per side; larger rooms get coarser texel
 constexpr std::array<float, 6> wall_light{0.94f, 1.0f, 0.88f, 0.97f, 0.92f, 1.0f};
 constexpr std::array<float, 6> crate_light{1.0f, 0.9f, 0.94f, 0.84f, 0.5f, 1.08f};
 
-double texel_size(const Box& box, double wanted_m) {
-  return std::max(wanted_m, (box.max - box.min).maxCoeff() / max_texels);
+/// Texels of all surfaces over those of the default room.
+double texel_ratio(const RoomSettings& settings) { return settings.texel_m / wall_texel_m; }
+
+double texel_size(const Box& box, double wanted_m, double ratio) {
+  return ratio * std::max(wanted_m, (box.max - box.min).maxCoeff() / max_texels);
 }
 
 /// Maps a texture onto one side of a box. `mirrored`: its columns run against the axis.
@@ -55,10 +58,11 @@ void shade_floor(Canvas& floor, const RoomLayout& layout) {
         0.55, 0.07);
 }
 
-Surfaces paint_room(const RoomLayout& layout, RandomStream& random) {
+Surfaces paint_room(const RoomLayout& layout, double ratio, RandomStream& random) {
   const Box& in = layout.inside;
   const Eigen::Vector3d size = in.max - in.min;
-  const double wall_texel = texel_size(in, wall_texel_m), floor_texel = texel_size(in, floor_texel_m);
+  const double wall_texel = texel_size(in, wall_texel_m, ratio),
+               floor_texel = texel_size(in, floor_texel_m, ratio);
   Surfaces out;
   for (int side = 0; side < 4; ++side) {
     const int axis = side / 2;
@@ -74,9 +78,9 @@ Surfaces paint_room(const RoomLayout& layout, RandomStream& random) {
   return out;
 }
 
-Surfaces paint_box(const Box& box, RandomStream& random) {
+Surfaces paint_box(const Box& box, double ratio, RandomStream& random) {
   const Eigen::Vector3d size = box.max - box.min;
-  const double texel = texel_size(box, crate_texel_m);
+  const double texel = texel_size(box, crate_texel_m, ratio);
   Surfaces out;
   for (int side = 0; side < 6; ++side) {
     const int axis = side / 2, across = axis == 0 ? 1 : 0, down = axis == 2 ? 1 : 2;
@@ -109,8 +113,8 @@ Room::Room(const RoomSettings& settings, std::uint64_t seed, const std::optional
     : layout_(room_layout(settings, seed)) {
   if (terrain) lift_boxes(ground_.emplace(*terrain, layout_.inside), layout_);
   RandomStream random(seed, "room.paint");
-  walls_ = paint_room(layout_, random);
-  for (const Box& box : layout_.boxes) boxes_.push_back(paint_box(box, random));
+  walls_ = paint_room(layout_, texel_ratio(settings), random);
+  for (const Box& box : layout_.boxes) boxes_.push_back(paint_box(box, texel_ratio(settings), random));
   if (ground_) reach_below(*ground_, layout_);
 }
 

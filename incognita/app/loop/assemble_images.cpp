@@ -44,7 +44,8 @@ std::unique_ptr<SlamEstimator> image_estimator(const LoadedScenario& loaded, con
                                                const std::optional<WheelOdometry>& odometry) {
   const Scenario& s = loaded.scenario;
   return std::make_unique<SlamEstimator>(single_camera(camera, target, s.slam, s.start.max_search_s,
-                                                       static_cast<std::uint64_t>(s.run.seed), odometry));
+                                                       static_cast<std::uint64_t>(s.run.seed), odometry,
+                                                       {.entropy = s.run.entropy}));
 }
 
 /// The frame of a recording's truth may differ from that of the target.

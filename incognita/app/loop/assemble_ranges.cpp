@@ -150,7 +150,8 @@ namespace {
 
 Assembly assemble_vehicle(const LoadedScenario& loaded) {
   RangeRecording recording = read_range_recording(loaded);
-  const PlanarSlamSettings& settings = loaded.scenario.planar;
+  PlanarSlamSettings settings = loaded.scenario.planar;
+  settings.entropy = loaded.scenario.run.entropy;
   check_vehicle(loaded, recording);
   check_identities(loaded, recording);
   check_fixes(loaded, recording);

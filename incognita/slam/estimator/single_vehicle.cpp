@@ -36,6 +36,7 @@ EstimatorSettings single_vehicle(const PlanarSlamSettings& s,
   team.filter.linearization = s.filter.linearization;
   team.filter.map_frame = s.filter.map_frame;
   team.filter.decorrelate = s.filter.decorrelate;
+  team.filter.entropy = s.entropy;
   team.association = s.association;
   if (s.association.method == DataAssociationSettings::Method::known)
     team.filter.gate_probability = s.association.gate_probability;

@@ -89,7 +89,7 @@ void SlamEstimator::update(Estimate& e, const Command& command, const Observatio
   if (tracks) maintain_maps(e);
   report(e);
   stage.mark("map");
-  refresh_entropy(e, tick.t);
+  if (settings_.filter.entropy) entropy_.update(e, tick.t);
   stage.mark("entropy");
 }
 

@@ -14,6 +14,7 @@
 #include "incognita/slam/estimator/estimator_start.hpp"
 #include "incognita/slam/features/feature_tracker.hpp"
 #include "incognita/slam/features/frame_counter.hpp"
+#include "incognita/slam/mapper/entropy.hpp"
 #include "incognita/slam/mapper/estimator.hpp"
 #include "incognita/slam/mapper/settings.hpp"
 #include "incognita/slam/points/associate_detections.hpp"
@@ -71,6 +72,7 @@ class SlamEstimator final : public Estimator {
   EstimatorStart start_;
   std::vector<TrackedBody> bodies_;
   Inliers inliers_;
+  RunningEntropy entropy_;
   std::vector<LinearizedMeasurement> measurements_;  ///< workspace: inliers of images, then of points
 };
 

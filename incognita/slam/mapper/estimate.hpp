@@ -143,8 +143,8 @@ struct Estimate {
   std::int64_t next_id = 0;  ///< next number of the estimator; numbers are unique
   TrackingStatus status;     ///< of the body that is worst; each has its own
   UpdateHealth health;
-  Entropy entropy;                  ///< map and total are refreshed about once a second: entropy_period_s()
-  std::optional<double> entropy_t;  ///< s, time of their last refresh
+  Entropy entropy;                  ///< entropy.hpp; NaN if switched off
+  std::optional<double> entropy_t;  ///< s, the time that map and total stand for: at least one second apart
   FrameReport last;
   std::vector<std::pair<const char*, double>> timing_ms;
 
@@ -185,12 +185,5 @@ struct LandmarkPosition {
 };
 /// Nothing unless the depth is Gaussian and positive: the landmark may be at infinity.
 std::optional<LandmarkPosition> position_of(const Landmark& landmark, const Estimate& estimate);
-
-/// Entropy of the bodies: thesis (6.2).
-double vehicle_entropy(const Estimate& estimate);
-/// Entropies of the bodies, the map and both: thesis (6.2). Cubic in the map, linear with a block-diagonal map.
-Entropy entropies(const Estimate& estimate);
-/// Refreshes the entropies of the estimate at time `t`, s: that of the bodies at each tick, the others when they are due.
-void refresh_entropy(Estimate& estimate, double t);
 
 }  // namespace incognita

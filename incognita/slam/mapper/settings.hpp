@@ -95,6 +95,7 @@ struct MapperSettings {
   double max_linearity_index = 0.02;
   MapFrame map_frame = MapFrame::world;
   Decorrelation decorrelate = Decorrelation::nothing;
+  bool entropy = true;  ///< whether the entropies are computed; else they are NaN
 };
 
 /// A setting that is incompatible with another.

@@ -118,6 +118,7 @@ struct PlanarSlamSettings {
   DataAssociationSettings association;
   PlanarStartSettings start;
   HealthSettings health;
+  bool entropy = true;  ///< whether the entropies are computed
 };
 
 inline std::optional<FilterIncompatibility> find_incompatibility(const PlanarFilterSettings& filter) {

@@ -80,7 +80,7 @@ void Decision::change(std::vector<std::unique_ptr<BodyChoice>> choices) {
 
 /// Time since the last call, s: it may be called less often than the estimate is updated, or more often.
 double Decision::since_last_call(const Tick& tick) {
-  const double since_s = last_t_ ? tick.t - *last_t_ : tick.dt;
+  const double since_s = last_t_ ? duration_s(*last_t_, tick.t, tick.whole_us) : tick.dt;
   last_t_ = tick.t;
   return std::abs(since_s - tick.dt) < 1e-9 ? tick.dt : since_s;
 }
@@ -100,7 +100,7 @@ void Decision::explore(const Estimate& estimate, const Tick& tick) {
 }
 
 Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& now) {
-  const Tick tick{now.frame, now.t, since_last_call(now)};
+  const Tick tick{now.frame, now.t, since_last_call(now), now.whole_us};
   if (!estimate.started) {
     for (std::size_t i = 0; i < choices_.size(); ++i) forget(i);
     return goal_;

@@ -136,15 +136,17 @@ void ranges(SettingReader& r, Scenario& s, const Bodies& b) {
 void point_health(SettingReader& r, HealthSettings& health) {
   using H = HealthSettings;
   r.section("health");
-  r.some(health, &H::max_sigma_position_m, &H::max_ticks, &H::max_innovation_sigmas, &H::min_expected);
+  r.some(health, &H::max_sigma_position_m, &H::max_sigma_ratio, &H::max_ticks, &H::max_innovation_sigmas,
+         &H::min_expected);
 }
 
 /// Limits of the estimate from images.
 void image_health(SettingReader& r, HealthSettings& health) {
   using H = HealthSettings;
   r.section("health");
-  r.some(health, &H::max_sigma_position_m, &H::max_ticks, &H::max_innovation_sigmas, &H::min_matches,
-         &H::min_matches_to_relocate, &H::sigma_search_position_m, &H::sigma_search_rotation_rad);
+  health.max_sigma_position_m = H{}.max_sigma_position_m;
+  r.some(health, &H::max_sigma_position_m, &H::max_sigma_ratio, &H::max_ticks, &H::max_innovation_sigmas,
+         &H::min_matches, &H::min_matches_to_relocate, &H::sigma_search_position_m, &H::sigma_search_rotation_rad);
   r.follower(health, &H::sigma_search_velocity_m_s, "start.sigma_velocity_m_s");
   r.follower(health, &H::sigma_search_rate_rad_s, "start.sigma_angular_rate_rad_s");
 }

@@ -12,6 +12,7 @@
 #include "incognita/slam/mapper/landmarks.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
 #include "incognita/slam/mapper/prediction.hpp"
+#include "incognita/slam/mapper/relative_sigma.hpp"
 #include "incognita/slam/mapper/stage_clock.hpp"
 
 namespace incognita {
@@ -254,6 +255,9 @@ void SlamEstimator::assess(Estimate& e, bool corrected) {
     e.last.predicted += camera.camera().predicted;
     e.bodies[body].counts.searched += camera.camera().predicted;
   }
+  in_images_.restart();
+  for (const FeatureTracker& camera : cameras_) camera.append_matches(in_images_);
+  note_matched(e, in_images_.matches, settings_);
   if (std::ranges::any_of(bodies_, [](const TrackedBody& body) { return !body.was_lost; }))
     count_doubted(e, settings_.health);
   for (std::size_t i = 0; i < e.bodies.size(); ++i) {
@@ -272,7 +276,7 @@ void SlamEstimator::assess(Estimate& e, bool corrected) {
 void SlamEstimator::relocate(Estimate& e, std::size_t which) {
   Body& body = e.bodies[which];
   if (body.counts.matched == 0) return;
-  if (sigma_position(body) <= settings_.health.max_sigma_position_m) {
+  if (is_certain(e, which, settings_)) {
     body.status = {TrackingState::relocated,
                    std::to_string(body.counts.matched) + " measurements match again"};
     body.health = {};

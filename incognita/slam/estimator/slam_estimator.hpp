@@ -73,6 +73,7 @@ class SlamEstimator final : public Estimator {
   std::vector<TrackedBody> bodies_;
   Inliers inliers_;
   RunningEntropy entropy_;
+  FrameReport in_images_;                            ///< workspace: the matches of the cameras
   std::vector<LinearizedMeasurement> measurements_;  ///< workspace: inliers of images, then of points
 };
 

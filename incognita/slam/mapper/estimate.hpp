@@ -33,6 +33,13 @@ struct MatchCounts {
   int matched = 0;        ///< the same with the detections of its other sensors
 };
 
+/// What a body matched, and how far away it was: relative_sigma.hpp.
+struct MatchedTarget {
+  bool of_body = false;    ///< `id` is the index of another body, not a landmark
+  std::int64_t id = 0;
+  double distance_m = 0;
+};
+
 struct Body {
   BlockId block = 0;
   SmallVector prediction;  ///< state after the last prediction, before the corrections of that tick
@@ -53,6 +60,8 @@ struct Body {
   MatchCounts counts;
   TrackingStatus status;
   BodyHealth health;
+  std::vector<MatchedTarget> matched_last;  ///< at the last tick with matches
+  double start_sigma_m = 0;                 ///< of its position at the start, per axis
 };
 
 struct Landmark {

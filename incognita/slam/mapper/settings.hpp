@@ -152,8 +152,12 @@ struct DataAssociationSettings {
 
 /// Limits beyond which the estimate is degraded or lost, and the search after that.
 struct HealthSettings {
-  double max_sigma_position_m = 10;  ///< of any body; beyond: lost
-  int min_matches = 3;               ///< of a body with cameras, in a frame; with fewer it is degraded
+  /// Of the position of any body in the world; beyond: lost. None by default: without a target, anchors or fixes that
+  /// position is unobservable, and its sigma says nothing about the estimate.
+  double max_sigma_position_m = 1e6;
+  /// Of a body without a match: sigma of its position relative to what it matched last, over the distance; beyond: lost.
+  double max_sigma_ratio = 0.5;
+  int min_matches = 3;  ///< of a body with cameras, in a frame; with fewer it is degraded
   /// Consecutive frames with too few matches; or ticks with detections but no match, while `min_expected`
   /// landmarks are predicted in view; or ticks with innovations above `max_innovation_sigmas`: lost.
   int max_ticks = 10;
@@ -168,7 +172,11 @@ struct HealthSettings {
     using namespace limits;
     using S = HealthSettings;
     setting(&S::max_sigma_position_m, "max_sigma_position_m", "m", more_than(0),
-            "Standard deviation of the position above which the state is `lost`");
+            "Standard deviation of the position in the world above which the state is `lost`; by default without limit, "
+            "because it may be unobservable");
+    setting(&S::max_sigma_ratio, "max_sigma_ratio", "", more_than(0),
+            "Standard deviation of the position relative to the landmarks matched last, over their distance, above which "
+            "a body without matches is `lost`");
     setting(
         &S::max_ticks, "max_ticks", "", between(1, 100000),
         "Consecutive ticks with too few matches, or with too large innovations, after which the state is `lost`");

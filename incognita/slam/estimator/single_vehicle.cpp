@@ -40,6 +40,7 @@ EstimatorSettings single_vehicle(const PlanarSlamSettings& s,
   team.association = s.association;
   if (s.association.method == DataAssociationSettings::Method::known)
     team.filter.gate_probability = s.association.gate_probability;
+  team.pruning = s.pruning;
   team.health = s.health;
   team.anchors_have_identity = s.association.method == DataAssociationSettings::Method::known;
   if (team.anchors_have_identity && anchor_identities.size() != s.filter.anchors.size())

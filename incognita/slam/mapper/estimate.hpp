@@ -35,7 +35,7 @@ struct MatchCounts {
 
 /// What a body matched, and how far away it was: relative_sigma.hpp.
 struct MatchedTarget {
-  bool of_body = false;    ///< `id` is the index of another body, not a landmark
+  bool of_body = false;  ///< `id` is the index of another body, not a landmark
   std::int64_t id = 0;
   double distance_m = 0;
 };
@@ -72,7 +72,9 @@ struct Landmark {
   SmallVector position;  ///< world, m; of an anchor only
   SmallVector first;     ///< first estimate, for first-estimate Jacobians
   int detection_count = 0;
-  int camera = -1;                      ///< index of the camera that tracks it by its appearance; -1: none
+  int expected_scans = 0;  ///< of point sensors in which it was predicted well in view: prune_landmarks.hpp
+  int detected_scans = 0;  ///< of them, those that detected it
+  int camera = -1;         ///< index of the camera that tracks it by its appearance; -1: none
   Eigen::Vector3d first_view{0, 0, 0};  ///< world, m: from where that camera saw it first
 
   /// In the belief, with a position that its covariance describes.

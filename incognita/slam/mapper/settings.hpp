@@ -150,6 +150,21 @@ struct DataAssociationSettings {
   }
 };
 
+/// Which landmarks of point sensors without identities are deleted: prune_landmarks.hpp.
+struct PruningSettings {
+  int min_expected_scans = 20;    ///< before a landmark can be deleted
+  double min_detected_share = 0;  ///< of these scans; 0: no landmark is deleted
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = PruningSettings;
+    setting(&S::min_expected_scans, "min_expected_scans", "", between(1, 1000000),
+            "Number of scans with a landmark predicted well in view before it can be deleted");
+    setting(&S::min_detected_share, "min_detected_share", "", between(0, 1),
+            "Share of these scans with a detection below which a landmark is deleted; 0: none is");
+  }
+};
+
 /// Limits beyond which the estimate is degraded or lost, and the search after that.
 struct HealthSettings {
   /// Of the position of any body in the world; beyond: lost. None by default: without a target, anchors or fixes that
@@ -171,12 +186,14 @@ struct HealthSettings {
   static void describe(auto&& setting) {
     using namespace limits;
     using S = HealthSettings;
-    setting(&S::max_sigma_position_m, "max_sigma_position_m", "m", more_than(0),
-            "Standard deviation of the position in the world above which the state is `lost`; by default without limit, "
-            "because it may be unobservable");
-    setting(&S::max_sigma_ratio, "max_sigma_ratio", "", more_than(0),
-            "Standard deviation of the position relative to the landmarks matched last, over their distance, above which "
-            "a body without matches is `lost`");
+    setting(
+        &S::max_sigma_position_m, "max_sigma_position_m", "m", more_than(0),
+        "Standard deviation of the position in the world above which the state is `lost`; by default without limit, "
+        "because it may be unobservable");
+    setting(
+        &S::max_sigma_ratio, "max_sigma_ratio", "", more_than(0),
+        "Standard deviation of the position relative to the landmarks matched last, over their distance, above which "
+        "a body without matches is `lost`");
     setting(
         &S::max_ticks, "max_ticks", "", between(1, 100000),
         "Consecutive ticks with too few matches, or with too large innovations, after which the state is `lost`");
@@ -207,6 +224,7 @@ struct EstimatorSettings {
   std::map<std::int64_t, SmallVector> anchors;  ///< landmarks at known positions
   DataAssociationSettings association = {.method = DataAssociationSettings::Method::known,
                                          .initialization_distance_m = 0};
+  PruningSettings pruning = {};
   HealthSettings health = {};
   /// Whether detections of anchors carry their identity. If not, anchors are associated like other landmarks.
   bool anchors_have_identity = true;

@@ -116,6 +116,7 @@ struct PlanarSlamSettings {
   RangeBearingSettings sensor;
   PlanarFilterSettings filter;
   DataAssociationSettings association;
+  PruningSettings pruning;
   PlanarStartSettings start;
   HealthSettings health;
   bool entropy = true;  ///< whether the entropies are computed

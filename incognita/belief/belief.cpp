@@ -24,6 +24,34 @@ BlockMatrix Belief::covariance(BlockId row, BlockId column) const {
 
 Eigen::MatrixXd Belief::dense_covariance() const { return P().selfadjointView<Eigen::Lower>(); }
 
+/// Calls set_column(column, values, count) for the elements from the diagonal down among the errors that keep their
+/// order, and set(row, column, value) for those in the rows of the errors that are ordered last.
+template <class SetColumn, class Set>
+void Belief::copy_ordered(int first, int last, const SetColumn& set_column, const Set& set) const {
+  const int kept = first + last, count = errors_ - kept;
+  for (int j = 0; j < count; ++j) set_column(j, P_.column(kept + j) + kept + j, count - j);
+  for (int i = 0; i < last; ++i) {
+    for (int j = 0; j < count; ++j) set(count + i, j, entry(first + i, kept + j));
+    for (int j = 0; j <= i; ++j) set(count + i, count + j, entry(first + i, first + j));
+  }
+}
+
+void Belief::copy_covariance(int first, int last, double* out, int stride) const {
+  const auto at = [&](int row, int column) { return out + row + static_cast<long>(column) * stride; };
+  copy_ordered(
+      first, last,
+      [&](int column, const double* values, int count) { std::copy_n(values, count, at(column, column)); },
+      [&](int row, int column, double value) { *at(row, column) = value; });
+}
+
+void Belief::copy_covariance(int first, int last, TiledCholesky& out) const {
+  out.start(errors_ - first);
+  copy_ordered(
+      first, last,
+      [&](int column, const double* values, int count) { out.set_column(column, column, values, count); },
+      [&](int row, int column, double value) { out.set(row, column, value); });
+}
+
 void Belief::reserve(int errors) {
   if (!P_.reserve(errors, errors_)) return;
   delta_.resize(P_.capacity);

@@ -15,6 +15,7 @@
 #include "incognita/belief/aligned_buffer.hpp"
 #include "incognita/belief/linearized.hpp"
 #include "incognita/belief/state_layout.hpp"
+#include "incognita/belief/tiled_cholesky.hpp"
 #include "incognita/belief/triangle.hpp"
 #include "incognita/belief/update_report.hpp"
 
@@ -38,8 +39,13 @@ class Belief : public StateLayout {
   /// Cross covariance of two blocks' errors.
   BlockMatrix covariance(BlockId row, BlockId column) const;
   BlockMatrix covariance(BlockId id) const { return covariance(id, id); }
-  /// Copy of the whole covariance, both triangles. Slow: for tests, occasional entropies and small maps.
+  /// Copy of the whole covariance, both triangles. Slow: for tests and small maps.
   Eigen::MatrixXd dense_covariance() const;
+  /// Copies the lower triangle of the covariance of the errors from `first` on, the leading `last` of them ordered last.
+  /// Column-major, `stride` >= number of these errors.
+  void copy_covariance(int first, int last, double* out, int stride) const;
+  /// The same to be factorized in steps.
+  void copy_covariance(int first, int last, TiledCholesky& out) const;
 
   // Operations. All throw std::invalid_argument, with the sizes, when sizes do not fit; the belief is unchanged then.
 
@@ -112,6 +118,8 @@ class Belief : public StateLayout {
   using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
   using ConstMatrix = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
+  template <class SetColumn, class Set>
+  void copy_ordered(int first, int last, const SetColumn& set_column, const Set& set) const;
   void reserve(int errors);
   void reserve_rank(int rank);
   void gather_above(const MeasurementJacobian& H, const Block& b, int first, int last, double* out) const;

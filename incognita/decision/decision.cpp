@@ -45,8 +45,11 @@ MapExpectation::OfBody sensors_of(const SlamEstimator& estimator, std::size_t wh
 }  // namespace
 
 Decision::Decision(std::vector<std::unique_ptr<BodyChoice>> choices, MapExpectation expectation,
-                   const ExplorationSettings& exploration, std::uint64_t seed)
-    : choices_(std::move(choices)), expectation_(std::move(expectation)), exploration_(exploration, seed) {
+                   const ExplorationSettings& exploration, std::uint64_t seed, bool entropy)
+    : choices_(std::move(choices)),
+      expectation_(std::move(expectation)),
+      exploration_(exploration, seed),
+      entropy_(entropy) {
   if (choices_.empty())
     throw std::invalid_argument("a decision needs one choice per body, and there is none");
   goal_.bodies.resize(choices_.size());
@@ -77,7 +80,7 @@ void Decision::change(std::vector<std::unique_ptr<BodyChoice>> choices) {
 
 /// Time since the last call, s: it may be called less often than the estimate is updated, or more often.
 double Decision::since_last_call(const Tick& tick) {
-  const double since_s = last_t_ ? tick.t - *last_t_ : tick.dt;
+  const double since_s = last_t_ ? duration_s(*last_t_, tick.t, tick.whole_us) : tick.dt;
   last_t_ = tick.t;
   return std::abs(since_s - tick.dt) < 1e-9 ? tick.dt : since_s;
 }
@@ -97,7 +100,7 @@ void Decision::explore(const Estimate& estimate, const Tick& tick) {
 }
 
 Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& now) {
-  const Tick tick{now.frame, now.t, since_last_call(now)};
+  const Tick tick{now.frame, now.t, since_last_call(now), now.whole_us};
   if (!estimate.started) {
     for (std::size_t i = 0; i < choices_.size(); ++i) forget(i);
     return goal_;
@@ -113,7 +116,7 @@ Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& 
     choices_[i]->choose(estimate.belief, estimate.bodies[i], expectation_, tick, goal_.bodies[i]);
     decided |= goal_.bodies[i].decided;
   }
-  if (decided && exploration_.settings().expected_landmarks > 0 &&
+  if (entropy_ && decided && exploration_.settings().expected_landmarks > 0 &&
       (!entropy_due_t_ || has_come(*entropy_due_t_, tick.t))) {
     goal_.entropy_extended = extended_entropy(estimate, exploration_.settings());
     entropy_due_t_ = tick.t + entropy_period_s(estimate.belief.errors());
@@ -142,7 +145,7 @@ std::unique_ptr<Decision> decide_for(const SlamEstimator& estimator, const Activ
                                   std::to_string(i + 1) + " has none");
   }
   return std::make_unique<Decision>(choices_for(estimator, s), MapExpectation(std::move(sensors)),
-                                    s.exploration, s.seed);
+                                    s.exploration, s.seed, settings.filter.entropy);
 }
 
 }  // namespace incognita

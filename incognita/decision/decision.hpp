@@ -21,9 +21,10 @@ namespace incognita {
 
 class Decision final : public Strategy {
  public:
-  /// One choice per body. Throws std::invalid_argument without one and for invalid settings.
+  /// One choice per body. `entropy`: whether the extended entropy is computed, which decides nothing. Throws
+  /// std::invalid_argument without a choice and for invalid settings.
   Decision(std::vector<std::unique_ptr<BodyChoice>> choices, MapExpectation expectation,
-           const ExplorationSettings& exploration = {}, std::uint64_t seed = 1);
+           const ExplorationSettings& exploration = {}, std::uint64_t seed = 1, bool entropy = true);
 
   /// Scores the actions as the schedule asks; compares them and sets a new goal once per period. Actions that
   /// would end outside the bounds are scored but not chosen. A body that is lost chooses nothing.
@@ -47,6 +48,7 @@ class Decision final : public Strategy {
   std::vector<std::unique_ptr<BodyChoice>> choices_;
   MapExpectation expectation_;
   Exploration exploration_;
+  bool entropy_;
   Goal goal_;
   std::optional<double> last_t_;         ///< s, of the last call
   std::optional<double> entropy_due_t_;  ///< s, next evaluation of the extended entropy

@@ -21,7 +21,7 @@ TEST(PointScenario, RefusesAtStartWithTheReason) {
   refused({"vehicle.sensor_forward_m=1e-9"}, "vehicle.sensor_forward_m", "axle");
   refused({"points.known=41"}, "points.known", "points.count");
   refused({"start.positions_m=[[0, 0, 1]]"}, "start.positions_m", "z of 0");
-  refused({"start.sigma_position_m=100"}, "start.sigma_position_m", "lost");
+  refused({"start.sigma_position_m=100", "health.max_sigma_position_m=10"}, "start.sigma_position_m", "lost");
   refused({"controller.gain_per_s=[1, 1, 1]"}, "controller.gain_per_s", "1 number or 2");
   refused({"path.rate_rad_s=0"}, "path.rate_rad_s", "must not be 0");
   refused({"start.positions_m=[]"}, "start.positions_m", "one for each vehicle");

@@ -156,6 +156,41 @@ TEST_F(ProgramRanges, IsDeterministicToTheByte) {
   EXPECT_TRUE(log == bytes_of(run() / "run.mcap"));
 }
 
+/// The rows of a table without their first cell, the time.
+std::vector<std::string> without_times(const std::filesystem::path& table) {
+  std::vector<std::string> rows;
+  std::ifstream in(table);
+  for (std::string row; std::getline(in, row);)
+    rows.push_back(row.substr(std::min(row.find_first_of(" ,"), row.size())));
+  return rows;
+}
+
+TEST_F(ProgramRanges, DoesNotDependOnTheOriginAndTheDigitsOfTheStamps) {
+  // Stamps with many digits, none half way between two microseconds; then the origin is moved
+  const auto shifted = [](double offset_s, double per_s) {
+    RangeRecording recording = minute_of_driving();
+    const auto rounded = [per_s](double t) { return std::round(t * per_s) / per_s; };
+    const auto shift = [&](auto& events) {
+      for (auto& event : events) event.t = rounded(rounded(event.t * 1.000123703141592) + offset_s);
+    };
+    shift(recording.odometry), shift(recording.scans), shift(recording.truth), shift(recording.fixes);
+    return recording;
+  };
+  write_drive(shifted(0, 1e12));
+  ASSERT_EQ(go().code, 0);
+  const auto path = without_times(run() / "estimate.tum"),
+             covariance = without_times(run() / "covariance.csv");
+  const std::string map = bytes_of(run() / "map.csv");
+  ASSERT_GT(path.size(), 50u);
+  for (const double offset_s : {0.0, 1000.0, 1.4e9}) {
+    write_drive(shifted(offset_s, 1e6));
+    ASSERT_EQ(go().code, 0);
+    EXPECT_EQ(without_times(run() / "estimate.tum"), path) << offset_s;
+    EXPECT_EQ(without_times(run() / "covariance.csv"), covariance) << offset_s;
+    EXPECT_EQ(bytes_of(run() / "map.csv"), map) << offset_s;
+  }
+}
+
 TEST_F(ProgramRanges, ReportsSpuriousInformation) {
   EXPECT_SAYS(
       go().err,

@@ -116,6 +116,26 @@ TEST_F(ProgramRecording, StopsAtAMissingImage) {
   expect_ends_half_way({"at frame 12", "frame0012.pgm: cannot be read: No such file", "run.duration_s"});
 }
 
+TEST_F(ProgramRecording, DoesNotDependOnTheOriginAndTheDigitsOfTheStamps) {
+  write_images();
+  const auto poses = [&](double offset_s, int decimals) {
+    std::string list;
+    for (int i = 0; i < frames; ++i)
+      list += fmt::format("{:.{}f} {}.pgm\n", i / 30.0 + offset_s, decimals, name_of(i));
+    scratch_.write("images/rgb.txt", list);
+    const Ended ended = follow();
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    std::vector<std::string> rows = testing::lines(run() / "estimate.tum");
+    for (std::string& row : rows) row = row.substr(row.find(' '));
+    return rows;
+  };
+  const std::vector<std::string> recorded = poses(0, 12);
+  ASSERT_EQ(recorded.size(), frames + 1u);
+  EXPECT_EQ(poses(0, 6), recorded);
+  EXPECT_EQ(poses(1000, 12), recorded);
+  EXPECT_EQ(poses(1000, 6), recorded);
+}
+
 TEST_F(ProgramRecording, ReportsMissingNumbers) {
   write_images();
   for (const int gone : {7, 16, 17}) std::filesystem::remove(images() / (name_of(gone) + ".pgm"));

@@ -103,6 +103,25 @@ TEST(CameraLost, WhenThePositionIsTooUncertain) {
   EXPECT_NE(t.estimate.status.reason.find("limit 0.2 m"), std::string::npos) << t.estimate.status.reason;
 }
 
+/// Without a limit in the world: relative to the wall, which it last saw 1.4 m away.
+TEST(CameraLost, WhenThePositionIsTooUncertainRelativeToTheLandmarks) {
+  CameraSlamSettings settings = Tracked::defaults();
+  settings.health.max_ticks = 1000;
+  settings.health.max_sigma_position_m = 1e6;
+  settings.filter.sigma_acceleration_m_s2 = 5;
+  Tracked t(settings);
+  double sigma_before = 0;
+  for (int i = 0; t.estimate.status.state != TrackingState::lost; ++i) {
+    ASSERT_LT(i, 100);
+    sigma_before = sigma_position(t.estimate.body());
+    t.see_gray();
+  }
+  EXPECT_GT(sigma_before, 0.4);
+  EXPECT_LT(sigma_before, 1);
+  EXPECT_NE(t.estimate.status.reason.find("limit 0.5 of the distance"), std::string::npos)
+      << t.estimate.status.reason;
+}
+
 void declare_lost(Tracked& t) {
   for (int i = 0; i < t.settings.health.max_ticks; ++i) t.see_gray();
   ASSERT_EQ(t.estimate.status.state, TrackingState::lost);

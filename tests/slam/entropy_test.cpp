@@ -1,4 +1,4 @@
-#include "incognita/slam/mapper/estimate.hpp"
+#include "incognita/slam/mapper/entropy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "incognita/math/random.hpp"
+#include "tests/allocations.hpp"
 
 namespace incognita {
 namespace {
@@ -54,6 +55,81 @@ TEST(Entropies, WithoutAMapAllIsTheCamera) {
   const Entropy entropy = entropies(camera_and_points(0));
   EXPECT_EQ(entropy.map, 0);
   EXPECT_NEAR(entropy.total, entropy.vehicle, 1e-12);
+}
+
+/// A small measurement of the camera, so that the belief changes between ticks.
+void measure_camera(Estimate& estimate) {
+  LinearizedMeasurement measurement;
+  measurement.add(estimate.bodies[0].block, Eigen::MatrixXd::Identity(1, 12));
+  measurement.residual = Eigen::Matrix<double, 1, 1>(0.01);
+  measurement.R = Eigen::Matrix<double, 1, 1>(0.5);
+  estimate.belief.update({&measurement, 1});
+}
+
+TEST(RunningEntropy, OfASmallStateIsRefreshedAtOnceAndOnceASecond) {
+  Estimate estimate = camera_and_points(9);
+  RunningEntropy running;
+  running.update(estimate, 5);
+  const Entropy first = estimate.entropy, dense = entropies(estimate);
+  EXPECT_EQ(first.total, dense.total);
+  EXPECT_EQ(first.map, dense.map);
+  EXPECT_EQ(estimate.entropy_t, 5);
+  measure_camera(estimate);
+  running.update(estimate, 5.9);
+  EXPECT_EQ(estimate.entropy.total, first.total);
+  EXPECT_EQ(estimate.entropy.vehicle, vehicle_entropy(estimate)) << "that of the bodies at each tick";
+  running.update(estimate, 6);
+  EXPECT_EQ(estimate.entropy.total, entropies(estimate).total);
+  EXPECT_EQ(estimate.entropy_t, 6);
+}
+
+/// Ticks until the entropies of the state at the first one are known, at 10 Hz from `t`.
+int ticks_until_done(RunningEntropy& running, Estimate& estimate, double t) {
+  int ticks = 0;
+  do {
+    running.update(estimate, t + 0.1 * ticks++);
+    measure_camera(estimate);
+  } while (estimate.entropy_t != t && ticks < 10000);
+  return ticks;
+}
+
+TEST(RunningEntropy, OfALargeStateIsThatOfTheTimeItStatesThoughTheBeliefWentOn) {
+  Estimate estimate = camera_and_points(200);
+  ASSERT_GT(estimate.belief.errors(), RunningEntropy::max_errors_at_once);
+  RunningEntropy running;
+  for (const double t : {3.0, 20.0}) {
+    const Entropy then = entropies(estimate);
+    const int ticks = ticks_until_done(running, estimate, t);
+    const long steps = TiledCholesky::steps_of(estimate.belief.errors()),
+               per_tick = RunningEntropy::steps_per_tick(estimate.belief.errors());
+    EXPECT_EQ(ticks, (steps + per_tick - 1) / per_tick);
+    EXPECT_NEAR(estimate.entropy.map, then.map, 1e-9 * std::abs(then.map));
+    EXPECT_NEAR(estimate.entropy.total, then.total, 1e-9 * std::abs(then.total));
+    EXPECT_NE(estimate.entropy.total, entropies(estimate).total);
+  }
+}
+
+TEST(RunningEntropy, SharesTheWorkOfALargeStateEvenly) {
+  const int errors = 3266;  // 1,633 landmarks on a plane
+  const long steps = RunningEntropy::steps_per_tick(errors);
+  EXPECT_LE(steps * 2.0 * std::pow(TiledCholesky::tile, 3), 1.2 * errors * static_cast<double>(errors));
+  EXPECT_LT(TiledCholesky::steps_of(errors) / steps, errors / 2);
+}
+
+using EntropyAllocation = testing::Allocation;
+
+TEST_F(EntropyAllocation, IsAbsentAfterTheLargestState) {
+  for (const int points : {20, 200}) {
+    Estimate estimate = camera_and_points(points);
+    RunningEntropy running;
+    ticks_until_done(running, estimate, 0);
+    EXPECT_EQ(testing::allocations_in([&] {
+                for (int i = 0; i < 200; ++i) running.update(estimate, 100 + 0.1 * i);
+              }),
+              0)
+        << points;
+    EXPECT_GE(*estimate.entropy_t, 100);
+  }
 }
 
 }  // namespace

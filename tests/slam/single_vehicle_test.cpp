@@ -11,6 +11,7 @@
 #include "incognita/models/motion/arc_motion.hpp"
 #include "incognita/models/sensors/range_bearing.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
+#include "incognita/slam/mapper/entropy.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
 
 namespace incognita {

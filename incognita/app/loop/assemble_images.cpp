@@ -44,7 +44,8 @@ std::unique_ptr<SlamEstimator> image_estimator(const LoadedScenario& loaded, con
                                                const std::optional<WheelOdometry>& odometry) {
   const Scenario& s = loaded.scenario;
   return std::make_unique<SlamEstimator>(single_camera(camera, target, s.slam, s.start.max_search_s,
-                                                       static_cast<std::uint64_t>(s.run.seed), odometry));
+                                                       static_cast<std::uint64_t>(s.run.seed), odometry,
+                                                       {.entropy = s.run.entropy}));
 }
 
 /// The frame of a recording's truth may differ from that of the target.
@@ -52,7 +53,7 @@ Assembly assemble_recorded_images(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const Camera camera = make_camera(s.camera);
   const std::optional<Target> target = start_target(loaded);
-  const auto recording = std::make_shared<const Recording>(read_recording(loaded));
+  const auto recording = std::make_shared<const Recording>(with_rounded_stamps(read_recording(loaded)));
   const std::vector<double> times = frame_times(*recording, s.run.duration_s);
   Assembly out;
   put_scenario(loaded, out.info);
@@ -64,7 +65,7 @@ Assembly assemble_recorded_images(const LoadedScenario& loaded) {
   if (!target) out.notes.emplace_back("no target: the scale is unobservable, lengths are in arbitrary units");
   auto estimator = image_estimator(loaded, camera, target);
   auto strategy = decide_for(*estimator, active_settings_of(s));
-  out.parts = {std::make_unique<ReplayClock>(times),
+  out.parts = {std::make_unique<ReplayClock>(times, recording->whole_us),
                std::make_unique<ReplayWorld>(std::vector{recorded_truth(recording)}),
                std::make_unique<SensorSet>(sensors_of_body(
                    std::make_unique<RecordedImages>(recording, camera.width(), camera.height()))),

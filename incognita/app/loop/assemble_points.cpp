@@ -77,6 +77,7 @@ EstimatorSettings estimator_settings(const LoadedScenario& loaded, const PointLa
   team.filter = filter_of(s);
   team.health = s.planar.health;
   team.association = s.planar.association;
+  team.pruning = s.planar.pruning;
   set_anchors(team, place, s.points.known);
   for (std::size_t i = 0; i < vehicles_of(s); ++i) team.bodies.push_back(member_of(s, i, ground));
   return team;

@@ -99,7 +99,8 @@ std::vector<std::string> left_out(const RangeRecording& recording, const PlanarS
 /// Commands have no effect on a recording.
 LoopParts replay_of(const SharedRangeRecordings& recordings, const RangeSensorSettings& sensor,
                     std::unique_ptr<Estimator> estimator, double duration_s) {
-  return {std::make_unique<ReplayClock>(scan_times(*recordings, duration_s)),
+  const bool whole_us = recordings->front().whole_us;
+  return {std::make_unique<ReplayClock>(scan_times(*recordings, duration_s), whole_us),
           std::make_unique<ReplayWorld>(recorded_truths(recordings)),
           std::make_unique<SensorSet>(recorded_ranges(recordings, sensor)),
           std::move(estimator),
@@ -149,8 +150,9 @@ Assembly assemble_ranges(RangeRecording recording, const PlanarSlamSettings& s, 
 namespace {
 
 Assembly assemble_vehicle(const LoadedScenario& loaded) {
-  RangeRecording recording = read_range_recording(loaded);
-  const PlanarSlamSettings& settings = loaded.scenario.planar;
+  RangeRecording recording = with_rounded_stamps(read_range_recording(loaded));
+  PlanarSlamSettings settings = loaded.scenario.planar;
+  settings.entropy = loaded.scenario.run.entropy;
   check_vehicle(loaded, recording);
   check_identities(loaded, recording);
   check_fixes(loaded, recording);
@@ -191,7 +193,9 @@ EstimatorSettings recorded_team(const LoadedScenario& loaded, const std::vector<
 
 Assembly assemble_team(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
-  const auto robots = std::make_shared<const std::vector<RangeRecording>>(read_team_recording(loaded));
+  std::vector<RangeRecording> read = read_team_recording(loaded);
+  for (RangeRecording& robot : read) robot = with_rounded_stamps(std::move(robot));
+  const auto robots = std::make_shared<const std::vector<RangeRecording>>(std::move(read));
   const std::vector<double> times = scan_times(*robots, s.run.duration_s);
   if (times.empty())
     throw InputError(fmt::format("{}: run.duration_s = {}: nothing was seen by then",

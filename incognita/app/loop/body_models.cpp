@@ -201,6 +201,7 @@ MapperSettings filter_of(const Scenario& s) {
   f.map_frame = s.planar.filter.map_frame;
   f.decorrelate = s.planar.filter.decorrelate;
   f.form = s.belief.form;
+  f.entropy = s.run.entropy;
   const DataAssociationSettings& association = s.planar.association;
   if (association.method == DataAssociationSettings::Method::known)
     f.gate_probability = association.gate_probability;

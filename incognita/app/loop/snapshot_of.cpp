@@ -134,7 +134,7 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
     s.nis = e.last.update.nis;
     s.nis_dof = e.last.update.rows;
   }
-  s.entropy = {e.entropy.vehicle, e.entropy.map, e.entropy.total};
+  s.entropy = {e.entropy.vehicle, e.entropy.map, e.entropy.total, e.entropy_t.value_or(std::nan(""))};
   for (std::size_t i = 0; i < std::min(goal.bodies.size(), s.bodies.size()); ++i) {
     s.bodies[i].manual = goal.bodies[i].manual.has_value();
     s.bodies[i].decision = decision_of(goal.bodies[i], strategy.actions(i));

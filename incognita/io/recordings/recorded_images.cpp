@@ -33,10 +33,11 @@ BodyTruth as_truth(const std::vector<RecordedPose>& poses, std::size_t i) {
 }  // namespace
 
 std::vector<double> frame_times(const Recording& recording, double duration_s) {
-  const double until = recording.frames.front().t + duration_s;
+  const double start = recording.frames.front().t;
   std::vector<double> times;
   for (const Recording::RecordedFrame& frame : recording.frames)
-    if (frame.t < until) times.push_back(frame.t);  // as with FixedRateClock: rate x duration frames
+    if (incognita::duration_s(start, frame.t, recording.whole_us) < duration_s)
+      times.push_back(frame.t);  // as with FixedRateClock: rate x duration frames
   return times;
 }
 

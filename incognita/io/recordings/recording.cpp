@@ -8,6 +8,7 @@
 #include "incognita/io/recordings/recording_formats.hpp"
 #include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/messages/tick.hpp"
 
 namespace incognita {
 namespace {
@@ -43,6 +44,14 @@ Recording read_recording(const std::filesystem::path& folder, const std::string&
   Recording recording = read_as(guess, folder, rate_hz, pattern);
   recording.notes.insert(recording.notes.begin(),
                          fmt::format("{}: detected format `{}`", folder.string(), guess));
+  return recording;
+}
+
+Recording with_rounded_stamps(Recording recording) {
+  if (recording.format == "images") return recording;
+  for (Recording::RecordedFrame& frame : recording.frames) frame.t = rounded_to_us(frame.t);
+  for (RecordedPose& pose : recording.truth) pose.t = rounded_to_us(pose.t);
+  recording.whole_us = true;
   return recording;
 }
 

@@ -29,7 +29,12 @@ struct Recording {
   std::vector<RecordedPose> truth;         ///< in time order; empty if unknown
   std::vector<std::string> notes;          ///< assumptions and ignored data, for printing
   std::optional<CalibratedCamera> camera;  ///< set if the recording contains its calibration
+  bool whole_us = false;                   ///< all times are whole microseconds: with_rounded_stamps()
 };
+
+/// The recording with all stamps rounded to whole microseconds, so that its estimate depends neither on their digits nor on
+/// their origin. Times of images without stamps, which follow from a rate, stay as they are.
+Recording with_rounded_stamps(Recording recording);
 
 /// `format` is `auto`, `images`, `tum` or `euroc`; `rate_hz` is used for images without time stamps.
 /// `pattern` selects images by name as in a shell; empty: all. Throws InputError naming file and line.

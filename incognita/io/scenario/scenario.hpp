@@ -25,6 +25,7 @@ struct RunSettings {
   double duration_s = 60;
   double rate_hz = 30;
   bool observability = true;
+  bool entropy = true;
 
   static void describe(auto&& setting) {
     using namespace limits;
@@ -36,6 +37,8 @@ struct RunSettings {
             "Frame rate of simulations and of recordings without time stamps");
     setting(&S::observability, "observability", "", any(),
             "Whether the observability of the running filter is analyzed");
+    setting(&S::entropy, "entropy", "", any(),
+            "Whether the entropies of vehicle, map and both are computed; without, their outputs are empty");
   }
 };
 

@@ -31,6 +31,7 @@ void run(SettingReader& r, Scenario& s, bool has_rate, bool is_observed) {
   r.section("run");
   if (has_rate) r.some(s.run, &RunSettings::rate_hz);
   if (is_observed) r.some(s.run, &RunSettings::observability);
+  r.some(s.run, &RunSettings::entropy);
 }
 
 void sensor_type(SettingReader& r, Scenario& s, const Words& words) {
@@ -122,6 +123,14 @@ void association(SettingReader& r, Scenario& s) {
   if (a.method != Method::known) r.some(a, &A::initialization_probability, &A::initialization_distance_m);
 }
 
+/// Deletion of landmarks that have no identity. Recordings hold spurious detections, which simulations do not.
+void pruning(SettingReader& r, Scenario& s) {
+  if (s.planar.association.method == Method::known) return;
+  r.section("map");
+  if (s.is_recording()) s.planar.pruning.min_detected_share = 0.1;
+  r.all(s.planar.pruning);
+}
+
 /// Noise that the estimator assumes for ranges and bearings.
 void ranges(SettingReader& r, Scenario& s, const Bodies& b) {
   r.section("sensor");
@@ -135,15 +144,18 @@ void ranges(SettingReader& r, Scenario& s, const Bodies& b) {
 void point_health(SettingReader& r, HealthSettings& health) {
   using H = HealthSettings;
   r.section("health");
-  r.some(health, &H::max_sigma_position_m, &H::max_ticks, &H::max_innovation_sigmas, &H::min_expected);
+  r.some(health, &H::max_sigma_position_m, &H::max_sigma_ratio, &H::max_ticks, &H::max_innovation_sigmas,
+         &H::min_expected);
 }
 
 /// Limits of the estimate from images.
 void image_health(SettingReader& r, HealthSettings& health) {
   using H = HealthSettings;
   r.section("health");
-  r.some(health, &H::max_sigma_position_m, &H::max_ticks, &H::max_innovation_sigmas, &H::min_matches,
-         &H::min_matches_to_relocate, &H::sigma_search_position_m, &H::sigma_search_rotation_rad);
+  health.max_sigma_position_m = H{}.max_sigma_position_m;
+  r.some(health, &H::max_sigma_position_m, &H::max_sigma_ratio, &H::max_ticks, &H::max_innovation_sigmas,
+         &H::min_matches, &H::min_matches_to_relocate, &H::sigma_search_position_m,
+         &H::sigma_search_rotation_rad);
   r.follower(health, &H::sigma_search_velocity_m_s, "start.sigma_velocity_m_s");
   r.follower(health, &H::sigma_search_rate_rad_s, "start.sigma_angular_rate_rad_s");
 }
@@ -353,6 +365,7 @@ void recorded_vehicle(SettingReader& r, Scenario& s) {
   r.some(s.planar.filter, &F::linearization, &F::map_frame, &F::decorrelate, &F::anchors, &F::use_fixes);
   if (s.planar.filter.use_fixes) r.some(s.planar.filter, &F::sigma_fix_m);
   association(r, s);
+  pruning(r, s);
   point_health(r, s.planar.health);
 }
 
@@ -499,6 +512,7 @@ void points(SettingReader& r, Scenario& s) {
                           .initialization_probability = 0.99999999,
                           .initialization_distance_m = 0};
   association(r, s);
+  pruning(r, s);
   point_health(r, s.planar.health);
   controller(r, s, b);
 }

@@ -189,9 +189,11 @@ Json terrain() {
 }
 
 Json entropy() {
-  return object(
-      {{"vehicle", number(), sometimes}, {"map", number(), sometimes}, {"total", number(), sometimes}},
-      "nats");
+  return object({{"vehicle", number(), sometimes},
+                 {"map", number(), sometimes},
+                 {"total", number(), sometimes},
+                 {"t", number("s, the time that map and total stand for"), sometimes}},
+                "nats");
 }
 
 }  // namespace

@@ -142,6 +142,7 @@ Json entropy_json(const SnapshotEntropy& entropy) {
   put(json, "vehicle", entropy.vehicle);
   put(json, "map", entropy.map);
   put(json, "total", entropy.total);
+  put(json, "t", entropy.t);
   return json;
 }
 

@@ -42,10 +42,19 @@ int mapped_landmarks(const Snapshot& snapshot) {
 }
 
 std::vector<std::string> series_columns(bool with_errors) {
-  std::vector<std::string> columns{"matched",          "predicted",          "landmarks",
-                                   "sigma_position_m", "sigma_rotation_rad", "entropy_vehicle_nats",
-                                   "entropy_map_nats", "entropy_total_nats", "nis",
-                                   "nis_dof",          "coverage",           "entropy_extended_nats"};
+  std::vector<std::string> columns{"matched",
+                                   "predicted",
+                                   "landmarks",
+                                   "sigma_position_m",
+                                   "sigma_rotation_rad",
+                                   "entropy_vehicle_nats",
+                                   "entropy_map_nats",
+                                   "entropy_total_nats",
+                                   "entropy_t_s",
+                                   "nis",
+                                   "nis_dof",
+                                   "coverage",
+                                   "entropy_extended_nats"};
   append_pose_columns(columns, "two_sigma_");
   if (with_errors) {
     append_pose_columns(columns, "error_");
@@ -66,6 +75,7 @@ std::vector<double> series_row(const Snapshot& snapshot, bool with_errors) {
                           snapshot.entropy.vehicle,
                           snapshot.entropy.map,
                           snapshot.entropy.total,
+                          snapshot.entropy.t,
                           snapshot.nis_dof > 0 ? snapshot.nis : unknown,
                           static_cast<double>(snapshot.nis_dof),
                           snapshot.coverage.value_or(unknown),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -86,6 +87,7 @@ struct SnapshotBody {
 
 struct SnapshotEntropy {  ///< nats; NaN if unknown
   double vehicle, map, total;
+  double t = std::numeric_limits<double>::quiet_NaN();  ///< s, the time that map and total stand for
 };
 
 struct Snapshot {

@@ -54,7 +54,7 @@ class RunSummary {
   std::int64_t frames_ = 0, tracked_frames_ = 0, degraded_frames_ = 0, lost_frames_ = 0, decisions_ = 0;
   double first_t_s_ = 0, last_t_s_ = 0;
   int landmarks_ = 0, anchors_ = 0;
-  SnapshotEntropy entropy_;
+  SnapshotEntropy entropy_;  ///< the last known
   ConsistencySummary consistency_;
   PathSummary paths_;
   Survey survey_;

@@ -94,7 +94,7 @@ void EstimatorStart::start(Estimate& e, std::vector<FeatureTracker>& cameras,
     e.status.reason = "waiting for the first position fix";
     return;
   }
-  if (!has_camera_starts(e, cameras, tick.t - *e.first_t)) return;
+  if (!has_camera_starts(e, cameras, duration_s(*e.first_t, tick.t, tick.whole_us))) return;
   clear(e, settings);
   if (!cameras.empty() && mixes_identities(settings)) e.next_id = first_feature_number;
   add_bodies(e, cameras, settings, observation, tick);

@@ -23,12 +23,13 @@ BodyModel free_camera_body(const FilterSettings& s) {
 
 SlamEstimator single_camera(Camera camera, const std::optional<Target>& target,
                             const CameraSlamSettings& settings, double max_search_s, std::uint64_t seed,
-                            const std::optional<WheelOdometry>& odometry) {
+                            const std::optional<WheelOdometry>& odometry, const MapperSettings& filter) {
   std::vector<FeatureTracker> cameras;
   cameras.emplace_back(std::move(camera), settings,
                        CameraPlacement{.target = target, .max_search_s = max_search_s}, seed);
   if (odometry) validate(*odometry);
   EstimatorSettings estimator;
+  estimator.filter = filter;
   estimator.bodies.push_back(free_camera_body(settings.filter));
   estimator.bodies.front().wheels = odometry;
   estimator.health = settings.health;

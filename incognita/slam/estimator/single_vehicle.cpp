@@ -36,9 +36,11 @@ EstimatorSettings single_vehicle(const PlanarSlamSettings& s,
   team.filter.linearization = s.filter.linearization;
   team.filter.map_frame = s.filter.map_frame;
   team.filter.decorrelate = s.filter.decorrelate;
+  team.filter.entropy = s.entropy;
   team.association = s.association;
   if (s.association.method == DataAssociationSettings::Method::known)
     team.filter.gate_probability = s.association.gate_probability;
+  team.pruning = s.pruning;
   team.health = s.health;
   team.anchors_have_identity = s.association.method == DataAssociationSettings::Method::known;
   if (team.anchors_have_identity && anchor_identities.size() != s.filter.anchors.size())

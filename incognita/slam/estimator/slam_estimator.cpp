@@ -12,6 +12,7 @@
 #include "incognita/slam/mapper/landmarks.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
 #include "incognita/slam/mapper/prediction.hpp"
+#include "incognita/slam/mapper/relative_sigma.hpp"
 #include "incognita/slam/mapper/stage_clock.hpp"
 
 namespace incognita {
@@ -89,7 +90,7 @@ void SlamEstimator::update(Estimate& e, const Command& command, const Observatio
   if (tracks) maintain_maps(e);
   report(e);
   stage.mark("map");
-  refresh_entropy(e, tick.t);
+  if (settings_.filter.entropy) entropy_.update(e, tick.t);
   stage.mark("entropy");
 }
 
@@ -235,6 +236,7 @@ bool SlamEstimator::correct(Estimate& e) {
 
 /// The map after the correction: new landmarks of the point sensors, conversions, frame and correlations.
 void SlamEstimator::update_map(Estimate& e, StageClock& stage) {
+  pruning_.update(e, settings_);
   initialize_candidates(e, inliers_, settings_);
   convert_converged_inverse_depths(e, settings_);
   stage.mark("initialize");
@@ -254,6 +256,9 @@ void SlamEstimator::assess(Estimate& e, bool corrected) {
     e.last.predicted += camera.camera().predicted;
     e.bodies[body].counts.searched += camera.camera().predicted;
   }
+  in_images_.restart();
+  for (const FeatureTracker& camera : cameras_) camera.append_matches(in_images_);
+  note_matched(e, in_images_.matches, settings_);
   if (std::ranges::any_of(bodies_, [](const TrackedBody& body) { return !body.was_lost; }))
     count_doubted(e, settings_.health);
   for (std::size_t i = 0; i < e.bodies.size(); ++i) {
@@ -272,7 +277,7 @@ void SlamEstimator::assess(Estimate& e, bool corrected) {
 void SlamEstimator::relocate(Estimate& e, std::size_t which) {
   Body& body = e.bodies[which];
   if (body.counts.matched == 0) return;
-  if (sigma_position(body) <= settings_.health.max_sigma_position_m) {
+  if (is_certain(e, which, settings_)) {
     body.status = {TrackingState::relocated,
                    std::to_string(body.counts.matched) + " measurements match again"};
     body.health = {};

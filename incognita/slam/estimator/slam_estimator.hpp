@@ -14,9 +14,11 @@
 #include "incognita/slam/estimator/estimator_start.hpp"
 #include "incognita/slam/features/feature_tracker.hpp"
 #include "incognita/slam/features/frame_counter.hpp"
+#include "incognita/slam/mapper/entropy.hpp"
 #include "incognita/slam/mapper/estimator.hpp"
 #include "incognita/slam/mapper/settings.hpp"
 #include "incognita/slam/points/associate_detections.hpp"
+#include "incognita/slam/points/prune_landmarks.hpp"
 
 namespace incognita {
 
@@ -71,6 +73,9 @@ class SlamEstimator final : public Estimator {
   EstimatorStart start_;
   std::vector<TrackedBody> bodies_;
   Inliers inliers_;
+  LandmarkPruning pruning_;
+  RunningEntropy entropy_;
+  FrameReport in_images_;                            ///< workspace: the matches of the cameras
   std::vector<LinearizedMeasurement> measurements_;  ///< workspace: inliers of images, then of points
 };
 

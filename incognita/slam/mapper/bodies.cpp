@@ -1,5 +1,7 @@
 #include "incognita/slam/mapper/bodies.hpp"
 
+#include <cmath>
+
 #include "incognita/models/any_motion.hpp"
 #include "incognita/models/motion/planar_frame.hpp"
 
@@ -25,6 +27,8 @@ void add_body(Estimate& e, const BodyModel& model, const SmallVector& start, con
     body.block = e.belief.add_vehicle(chart_of(model.motion), start, P);
   }
   body.prediction = e.belief.mean(body.block);
+  const int axes = traits_of(model.motion).position_size;
+  body.start_sigma_m = std::sqrt(P.diagonal().head(axes).maxCoeff());
 }
 
 void stop_and_search(Estimate& e, std::size_t i, const EstimatorSettings& settings) {

@@ -33,6 +33,13 @@ struct MatchCounts {
   int matched = 0;        ///< the same with the detections of its other sensors
 };
 
+/// What a body matched, and how far away it was: relative_sigma.hpp.
+struct MatchedTarget {
+  bool of_body = false;  ///< `id` is the index of another body, not a landmark
+  std::int64_t id = 0;
+  double distance_m = 0;
+};
+
 struct Body {
   BlockId block = 0;
   SmallVector prediction;  ///< state after the last prediction, before the corrections of that tick
@@ -53,6 +60,8 @@ struct Body {
   MatchCounts counts;
   TrackingStatus status;
   BodyHealth health;
+  std::vector<MatchedTarget> matched_last;  ///< at the last tick with matches
+  double start_sigma_m = 0;                 ///< of its position at the start, per axis
 };
 
 struct Landmark {
@@ -63,7 +72,9 @@ struct Landmark {
   SmallVector position;  ///< world, m; of an anchor only
   SmallVector first;     ///< first estimate, for first-estimate Jacobians
   int detection_count = 0;
-  int camera = -1;                      ///< index of the camera that tracks it by its appearance; -1: none
+  int expected_scans = 0;  ///< of point sensors in which it was predicted well in view: prune_landmarks.hpp
+  int detected_scans = 0;  ///< of them, those that detected it
+  int camera = -1;         ///< index of the camera that tracks it by its appearance; -1: none
   Eigen::Vector3d first_view{0, 0, 0};  ///< world, m: from where that camera saw it first
 
   /// In the belief, with a position that its covariance describes.
@@ -143,8 +154,8 @@ struct Estimate {
   std::int64_t next_id = 0;  ///< next number of the estimator; numbers are unique
   TrackingStatus status;     ///< of the body that is worst; each has its own
   UpdateHealth health;
-  Entropy entropy;                  ///< map and total are refreshed about once a second: entropy_period_s()
-  std::optional<double> entropy_t;  ///< s, time of their last refresh
+  Entropy entropy;                  ///< entropy.hpp; NaN if switched off
+  std::optional<double> entropy_t;  ///< s, the time that map and total stand for: at least one second apart
   FrameReport last;
   std::vector<std::pair<const char*, double>> timing_ms;
 
@@ -185,12 +196,5 @@ struct LandmarkPosition {
 };
 /// Nothing unless the depth is Gaussian and positive: the landmark may be at infinity.
 std::optional<LandmarkPosition> position_of(const Landmark& landmark, const Estimate& estimate);
-
-/// Entropy of the bodies: thesis (6.2).
-double vehicle_entropy(const Estimate& estimate);
-/// Entropies of the bodies, the map and both: thesis (6.2). Cubic in the map, linear with a block-diagonal map.
-Entropy entropies(const Estimate& estimate);
-/// Refreshes the entropies of the estimate at time `t`, s: that of the bodies at each tick, the others when they are due.
-void refresh_entropy(Estimate& estimate, double t);
 
 }  // namespace incognita

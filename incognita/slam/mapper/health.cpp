@@ -8,6 +8,7 @@
 
 #include "incognita/math/gaussian.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
+#include "incognita/slam/mapper/relative_sigma.hpp"
 
 namespace incognita {
 namespace {
@@ -18,21 +19,11 @@ double innovation_sigmas(const Estimate& e) {
 }
 
 /// Whether a landmark is predicted in view of a point sensor, with a measurement that would correct the filter.
-bool is_expected(const Estimate& e, const Landmark& landmark, int which, int sensor_index,
+bool is_expected(const Estimate& e, const Landmark& landmark, int which, int sensor,
                  const EstimatorSettings& settings) {
-  const AnyMotion& motion = settings.bodies[static_cast<std::size_t>(which)].motion;
-  const PointSensor& sensor = sensor_of(settings, which, sensor_index);
-  if (!is_measurable(landmark, sensor.sensor)) return false;
-  const SmallVector state = e.belief.mean(e.bodies[static_cast<std::size_t>(which)].block);
-  const SmallVector mean =
-      landmark.fixed ? anchor_position(e, landmark.position) : SmallVector(e.belief.mean(landmark.block));
-  const auto at = position_of(landmark.form, mean);
-  const auto prediction = predict_measurement(sensor.sensor, motion, state, landmark.form, mean);
-  if (!prediction || !at) return false;
-  const SmallVector from = position_of(motion, state, dimensions_of(sensor.sensor)).position;
-  if (!is_in_view(sensor.sensor, sensor.limits, *prediction, (at->position - from).norm())) return false;
-  const auto measurement =
-      linearize_detection(e, which, false, {landmark.id, prediction->z, sensor_index}, settings);
+  const auto z = predict_in_view(e, landmark, which, sensor, settings);
+  if (!z) return false;
+  const auto measurement = linearize_detection(e, which, false, {landmark.id, *z, sensor}, settings);
   return measurement && measurement->is_linear;
 }
 
@@ -99,14 +90,36 @@ std::string doubt(const Estimate& e, const BodyHealth& health, const EstimatorSe
       " sigma rms are the normalized innovations, expected 1: noises or initial depths do not fit");
 }
 
-/// The reason why the covariance says that a body is lost; empty if it does not.
-std::string lost_by_covariance(const Body& body, const HealthSettings& limits) {
+/// The reason why the sigma in the world says that a body is lost; empty if it does not.
+std::string lost_in_the_world(const Body& body, const HealthSettings& limits) {
   const SmallMatrix& P = body.state_covariance;
   if (!body.pose.position.allFinite() || !body.pose_covariance.allFinite() || !(P.diagonal().minCoeff() >= 0))
     return "pose or covariance is not a number";
   const double sigma = sigma_position(body);
   if (sigma <= limits.max_sigma_position_m) return "";
   return "position sigma " + of_numbers(sigma, " m, limit ") + of_numbers(limits.max_sigma_position_m, " m");
+}
+
+/// The same of the sigma relative to what it matched last.
+std::string lost_relative_to_map(const Estimate& e, std::size_t which, const EstimatorSettings& settings) {
+  constexpr double max_growth_m = 10;
+  const Body& body = e.bodies[which];
+  if (const auto relative = relative_sigma(e, which, settings)) {
+    if (relative->ratio() <= settings.health.max_sigma_ratio) return "";
+    return "position sigma " + of_numbers(relative->sigma_m, " m relative to what was matched last, ") +
+           of_numbers(relative->distance_m, " m away, limit ") +
+           of_numbers(settings.health.max_sigma_ratio, " of the distance");
+  }
+  const double sigma = sigma_position(body), limit = body.start_sigma_m + max_growth_m;
+  if (sigma <= limit) return "";
+  return "position sigma " + of_numbers(sigma, " m without a landmark, limit ") + of_numbers(limit, " m");
+}
+
+/// The reason why the covariance says that a body is lost; empty if it does not. A match makes it certain of what is around.
+std::string lost_by_covariance(const Estimate& e, std::size_t which, const EstimatorSettings& settings) {
+  const std::string lost = lost_in_the_world(e.bodies[which], settings.health);
+  if (!lost.empty() || e.bodies[which].counts.matched > 0) return lost;
+  return lost_relative_to_map(e, which, settings);
 }
 
 /// "7 of 12 features matched", for bodies with cameras.
@@ -142,6 +155,11 @@ double sigma_position(const Body& body) {
   return std::sqrt(std::max(0.0, cov.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff()));
 }
 
+bool is_certain(const Estimate& e, std::size_t which, const EstimatorSettings& settings) {
+  return lost_in_the_world(e.bodies[which], settings.health).empty() &&
+         lost_relative_to_map(e, which, settings).empty();
+}
+
 void count_doubted(Estimate& e, const HealthSettings& settings) {
   if (e.last.matched == 0) return;
   e.health.doubted_ticks =
@@ -152,7 +170,7 @@ TrackingStatus assess(Estimate& e, std::size_t which, int frames, const Estimato
   count(e, which, frames, settings);
   const Body& body = e.bodies[which];
   const std::string seen = frames > 0 ? matches_in_words(body.counts) : "";
-  std::string lost = lost_by_covariance(body, settings.health);
+  std::string lost = lost_by_covariance(e, which, settings);
   if (lost.empty()) lost = lost_by_measurements(e, body.health, settings.health);
   if (!lost.empty()) return {TrackingState::lost, joined(lost, seen)};
   const std::string reason = doubt(e, body.health, settings);

@@ -122,6 +122,23 @@ bool is_measurable(const Landmark& landmark, const AnySensor& sensor) {
                                                                     : numbers == 2 * dimensions;
 }
 
+std::optional<SmallVector> predict_in_view(const Estimate& e, const Landmark& landmark, int body,
+                                           int sensor_index, const EstimatorSettings& settings) {
+  const AnyMotion& motion = settings.bodies[static_cast<std::size_t>(body)].motion;
+  const PointSensor& sensor = sensor_of(settings, body, sensor_index);
+  if (!is_measurable(landmark, sensor.sensor)) return std::nullopt;
+  const SmallVector state = e.belief.mean(e.bodies[static_cast<std::size_t>(body)].block);
+  const SmallVector mean =
+      landmark.fixed ? anchor_position(e, landmark.position) : SmallVector(e.belief.mean(landmark.block));
+  const auto at = position_of(landmark.form, mean);
+  const auto prediction = predict_measurement(sensor.sensor, motion, state, landmark.form, mean);
+  if (!prediction || !at) return std::nullopt;
+  const SmallVector from = position_of(motion, state, dimensions_of(sensor.sensor)).position;
+  const double distance_m = (at->position - from).norm();
+  if (!is_in_view(sensor.sensor, sensor.limits, *prediction, distance_m)) return std::nullopt;
+  return prediction->z;
+}
+
 std::optional<LinearizedDetection> linearize_detection(const Estimate& e, int body, bool of_body,
                                                        const PointDetection& detection,
                                                        const EstimatorSettings& settings) {

@@ -26,6 +26,10 @@ SmallMatrix detection_noise(const PointSensor& sensor, const SmallVector& z);
 /// Whether a sensor can measure a landmark: its points have as many coordinates, and no camera tracks it.
 bool is_measurable(const Landmark& landmark, const AnySensor& sensor);
 
+/// The predicted measurement of a landmark or anchor within range and field of view of a point sensor; nothing outside.
+std::optional<SmallVector> predict_in_view(const Estimate& estimate, const Landmark& landmark, int body,
+                                           int sensor, const EstimatorSettings& settings);
+
 /// Linearizes a detection by `body` of an anchor, a mapped landmark or (`of_body`) another body.
 /// The Jacobians are taken at the belief's means or, for first-estimate Jacobians, at the first estimates.
 /// Nothing when the sensor cannot measure the predicted point, when the landmark is not mapped, or when the

@@ -40,9 +40,10 @@ void hold(Estimate& e, std::size_t which, const SmallVector& input, double dt, d
   e.belief.predict(motion);
 }
 
-void hold_until(Estimate& e, std::size_t which, double until, const EstimatorSettings& settings) {
+void hold_until(Estimate& e, std::size_t which, double until, bool whole_us,
+                const EstimatorSettings& settings) {
   Body& body = e.bodies[which];
-  const double dt = until - body.t;
+  const double dt = duration_s(body.t, until, whole_us);
   if (!(dt > 0)) return;
   body.t = until;
   // The duration of the current reading is not known yet: that of the previous one is used
@@ -66,7 +67,7 @@ bool is_new(const PositionReading& fix, const Body& body) {
 }
 
 /// Applies the readings and fixes of one vehicle in time order.
-void predict_through_readings(Estimate& e, std::size_t which, const BodyObservation& view, double t,
+void predict_through_readings(Estimate& e, std::size_t which, const BodyObservation& view, const Tick& tick,
                               const EstimatorSettings& settings) {
   Body& body = e.bodies[which];
   // The odometry of a body in space is that of its carrier, and not its own input: its acceleration is unknown
@@ -76,20 +77,21 @@ void predict_through_readings(Estimate& e, std::size_t which, const BodyObservat
   const auto use_fixes_until = [&](double until) {
     for (; settings.bodies[which].sigma_fix_m > 0 && fix != view.fixes.end() && fix->t <= until; ++fix) {
       if (fix->t < body.t || !is_new(*fix, body)) continue;  // from before the start
-      hold_until(e, which, fix->t, settings);
+      hold_until(e, which, fix->t, tick.whole_us, settings);
       correct_by_fix(e, which, *fix, settings);
     }
   };
   for (const Odometry& reading : view.odometry) {
     if (!moves_it) break;
     use_fixes_until(reading.t);
-    hold_until(e, which, reading.t, settings);
-    if (body.input && reading.t > body.input_t) body.input_period = reading.t - body.input_t;
+    hold_until(e, which, reading.t, tick.whole_us, settings);
+    if (body.input && reading.t > body.input_t)
+      body.input_period = duration_s(body.input_t, reading.t, tick.whole_us);
     body.input = reading.input;
     body.input_t = reading.t;
   }
-  use_fixes_until(t);
-  hold_until(e, which, t, settings);
+  use_fixes_until(tick.t);
+  hold_until(e, which, tick.t, tick.whole_us, settings);
 }
 
 }  // namespace
@@ -123,12 +125,12 @@ void predict_by_command(Estimate& e, std::size_t which, const SmallVector& comma
 void predict_body(Estimate& e, std::size_t which, const SmallVector& commanded,
                   const BodyObservation& observed, const Tick& tick, const EstimatorSettings& settings) {
   const bool by_command = settings.bodies[which].input == BodyModel::Input::commanded;
-  if (!observed.input && !by_command) return predict_through_readings(e, which, observed, tick.t, settings);
+  if (!observed.input && !by_command) return predict_through_readings(e, which, observed, tick, settings);
   Body& body = e.bodies[which];
   if (by_command) {
     if (tick.t > body.t) predict_by_command(e, which, commanded, tick.dt, settings);
   } else {
-    const double dt = tick.t - body.t;
+    const double dt = duration_s(body.t, tick.t, tick.whole_us);
     if (dt > 0) hold(e, which, *observed.input, dt, dt, settings);
   }
   body.t = tick.t;

@@ -95,6 +95,7 @@ struct MapperSettings {
   double max_linearity_index = 0.02;
   MapFrame map_frame = MapFrame::world;
   Decorrelation decorrelate = Decorrelation::nothing;
+  bool entropy = true;  ///< whether the entropies are computed; else they are NaN
 };
 
 /// A setting that is incompatible with another.
@@ -149,10 +150,29 @@ struct DataAssociationSettings {
   }
 };
 
+/// Which landmarks of point sensors without identities are deleted: prune_landmarks.hpp.
+struct PruningSettings {
+  int min_expected_scans = 20;    ///< before a landmark can be deleted
+  double min_detected_share = 0;  ///< of these scans; 0: no landmark is deleted
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = PruningSettings;
+    setting(&S::min_expected_scans, "min_expected_scans", "", between(1, 1000000),
+            "Number of scans with a landmark predicted well in view before it can be deleted");
+    setting(&S::min_detected_share, "min_detected_share", "", between(0, 1),
+            "Share of these scans with a detection below which a landmark is deleted; 0: none is");
+  }
+};
+
 /// Limits beyond which the estimate is degraded or lost, and the search after that.
 struct HealthSettings {
-  double max_sigma_position_m = 10;  ///< of any body; beyond: lost
-  int min_matches = 3;               ///< of a body with cameras, in a frame; with fewer it is degraded
+  /// Of the position of any body in the world; beyond: lost. None by default: without a target, anchors or fixes that
+  /// position is unobservable, and its sigma says nothing about the estimate.
+  double max_sigma_position_m = 1e6;
+  /// Of a body without a match: sigma of its position relative to what it matched last, over the distance; beyond: lost.
+  double max_sigma_ratio = 0.5;
+  int min_matches = 3;  ///< of a body with cameras, in a frame; with fewer it is degraded
   /// Consecutive frames with too few matches; or ticks with detections but no match, while `min_expected`
   /// landmarks are predicted in view; or ticks with innovations above `max_innovation_sigmas`: lost.
   int max_ticks = 10;
@@ -166,8 +186,14 @@ struct HealthSettings {
   static void describe(auto&& setting) {
     using namespace limits;
     using S = HealthSettings;
-    setting(&S::max_sigma_position_m, "max_sigma_position_m", "m", more_than(0),
-            "Standard deviation of the position above which the state is `lost`");
+    setting(
+        &S::max_sigma_position_m, "max_sigma_position_m", "m", more_than(0),
+        "Standard deviation of the position in the world above which the state is `lost`; by default without limit, "
+        "because it may be unobservable");
+    setting(
+        &S::max_sigma_ratio, "max_sigma_ratio", "", more_than(0),
+        "Standard deviation of the position relative to the landmarks matched last, over their distance, above which "
+        "a body without matches is `lost`");
     setting(
         &S::max_ticks, "max_ticks", "", between(1, 100000),
         "Consecutive ticks with too few matches, or with too large innovations, after which the state is `lost`");
@@ -198,6 +224,7 @@ struct EstimatorSettings {
   std::map<std::int64_t, SmallVector> anchors;  ///< landmarks at known positions
   DataAssociationSettings association = {.method = DataAssociationSettings::Method::known,
                                          .initialization_distance_m = 0};
+  PruningSettings pruning = {};
   HealthSettings health = {};
   /// Whether detections of anchors carry their identity. If not, anchors are associated like other landmarks.
   bool anchors_have_identity = true;

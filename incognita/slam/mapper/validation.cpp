@@ -135,7 +135,7 @@ std::string validate_body(const BodyModel& b, const EstimatorSettings& s) {
 std::string validate_health(const HealthSettings& h) {
   const bool counts =
       h.min_matches > 0 && h.max_ticks > 0 && h.min_expected > 0 && h.min_matches_to_relocate > 0;
-  const bool sigmas = h.max_sigma_position_m > 0 && h.max_innovation_sigmas > 1 &&
+  const bool sigmas = h.max_sigma_position_m > 0 && h.max_sigma_ratio > 0 && h.max_innovation_sigmas > 1 &&
                       h.sigma_search_position_m > 0 && h.sigma_search_rotation_rad > 0 &&
                       h.sigma_search_velocity_m_s > 0 && h.sigma_search_rate_rad_s > 0;
   return counts && sigmas ? ""

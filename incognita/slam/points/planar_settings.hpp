@@ -116,8 +116,10 @@ struct PlanarSlamSettings {
   RangeBearingSettings sensor;
   PlanarFilterSettings filter;
   DataAssociationSettings association;
+  PruningSettings pruning;
   PlanarStartSettings start;
   HealthSettings health;
+  bool entropy = true;  ///< whether the entropies are computed
 };
 
 inline std::optional<FilterIncompatibility> find_incompatibility(const PlanarFilterSettings& filter) {

@@ -36,6 +36,11 @@ struct RangeRecording {
   std::vector<TimedPosition> fixes;
   std::vector<Landmark> landmarks;  ///< surveyed, for evaluation and as anchors; empty if unknown
   std::vector<std::string> notes;   ///< messages for the user: what was assumed or skipped, with counts
+  bool whole_us = false;            ///< all times are whole microseconds: with_rounded_stamps()
 };
+
+/// The recording with all times rounded to whole microseconds, so that its estimate depends neither on the digits nor on
+/// the origin of the stamps.
+RangeRecording with_rounded_stamps(RangeRecording recording);
 
 }  // namespace incognita

@@ -8,6 +8,17 @@
 #include "incognita/models/motion/mount.hpp"
 
 namespace incognita {
+
+RangeRecording with_rounded_stamps(RangeRecording recording) {
+  const auto round_times = [](auto& events) {
+    for (auto& event : events) event.t = rounded_to_us(event.t);
+  };
+  round_times(recording.odometry), round_times(recording.scans);
+  round_times(recording.truth), round_times(recording.fixes);
+  recording.whole_us = true;
+  return recording;
+}
+
 double start_time(const RangeRecording& r) {
   double first = std::numeric_limits<double>::infinity();
   const auto use_first = [&](const auto& events) {
@@ -42,7 +53,8 @@ std::vector<double> scan_times(const std::vector<RangeRecording>& recordings, do
   std::vector<double> times;
   for (const RangeRecording& r : recordings)
     for (const RangeRecording::Scan& scan : r.scans)
-      if (scan.t >= start && scan.t <= start + duration_s) times.push_back(scan.t);
+      if (scan.t >= start && incognita::duration_s(start, scan.t, r.whole_us) <= duration_s)
+        times.push_back(scan.t);
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;

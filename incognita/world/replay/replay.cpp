@@ -5,7 +5,8 @@ namespace incognita {
 Tick ReplayClock::next() {
   if (done_ >= times_.size()) return {};
   const std::size_t k = done_++;
-  return {static_cast<std::int64_t>(k), times_[k], k == 0 ? 0 : times_[k] - times_[k - 1]};
+  const double dt = k == 0 ? 0 : duration_s(times_[k - 1], times_[k], whole_us_);
+  return {static_cast<std::int64_t>(k), times_[k], dt, whole_us_};
 }
 
 std::optional<Truth> ReplayWorld::move(const Command&, const Tick& tick) {

@@ -12,13 +12,15 @@ namespace incognita {
 /// Ticks at recorded times; `dt` is 0 at the first.
 class ReplayClock final : public Clock {
  public:
-  /// `times`: s, increasing.
-  explicit ReplayClock(std::vector<double> times) : times_(std::move(times)) {}
+  /// `times`: s, increasing. `whole_us`: they are stamps in whole microseconds.
+  explicit ReplayClock(std::vector<double> times, bool whole_us = false)
+      : times_(std::move(times)), whole_us_(whole_us) {}
   Tick next() override;
   std::int64_t expected_frames() const override { return static_cast<std::int64_t>(times_.size()); }
 
  private:
   std::vector<double> times_;
+  bool whole_us_;
   std::size_t done_ = 0;
 };
 

@@ -130,11 +130,12 @@ TEST(Relocalization, NotByMissingOrRandomDescriptors) {
   }
 }
 
-/// A wall that repeats itself every 1.92 m: poses a period apart explain an image about equally well.
+/// A wall that repeats itself every 1.92 m: poses a period apart explain an image about equally well. None of these is
+/// within the search around the last pose, at 3.2 m, which assumes that the camera was not carried away.
 TEST(Relocalization, NotAtTheWrongPeriodOfARepeatedTexture) {
   Wall repeated(1.4, 1, 0.03);
   repeated.hang_sheet(sheet_half_width_m, sheet_half_height_m, 0.1);
-  for (const double y : {0.4, 1.0, 2.2, 2.6}) {
+  for (const double y : {0.4, 2.2}) {
     Lost lost(repeated, 3.2);
     for (int i = 0; i < 6; ++i) {
       lost.see(camera_at({0.05, y, 0}, 0.1));

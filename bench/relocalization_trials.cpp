@@ -282,6 +282,8 @@ int run_recording(const Wanted& wanted) {
     poses.push_back(loop.estimate.started ? loop.estimate.camera_state() : CameraState(CameraState::Zero()));
     const std::size_t frames = poses.size();
     if (frames % 100 != 0 || frames < 200 || loop.is_lost()) continue;
+    constexpr std::size_t needed = 80;  // ticks of a trial
+    if (frames + needed > static_cast<std::size_t>(loop.assembly.parts.clock->expected_frames())) break;
     for (int k = 0; k < wanted.trials; ++k) {
       const auto from = static_cast<std::size_t>(random.below(static_cast<int>(frames) - 80));
       Outcome o;

@@ -1,9 +1,16 @@
 #include "incognita/vision/corners.hpp"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
 namespace incognita {
+namespace {
+
+/// OpenCV sums over the window with a Sobel gradient (8 times the unit gradient) divided by 4 * window * 255
+constexpr double unit_strength = 255.0 * 255.0 / 4.0;
+
+}  // namespace
 
 std::optional<Corner> strongest_corner(const Image& image, const PixelBox& box, int window_px) {
   const cv::Rect whole(0, 0, image.width(), image.height());
@@ -19,8 +26,29 @@ std::optional<Corner> strongest_corner(const Image& image, const PixelBox& box, 
   double best = 0;
   cv::Point at;
   cv::minMaxLoc(strength(wanted - around.tl()), nullptr, &best, nullptr, &at);
-  // OpenCV sums over the window with a Sobel gradient (8 times the unit gradient) divided by 4 * window * 255
-  return Corner{at.x + wanted.x, at.y + wanted.y, best * 255.0 * 255.0 / 4.0};
+  return Corner{at.x + wanted.x, at.y + wanted.y, best * unit_strength};
+}
+
+std::vector<Corner> strong_corners(const Image& image, int window_px, double min_strength, int apart_px,
+                                   int margin_px, int max_count) {
+  const cv::Mat pixels(image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0)));
+  cv::Mat strength, highest;
+  cv::cornerMinEigenVal(pixels, strength, window_px, 3);
+  const int side = 2 * apart_px + 1;
+  cv::dilate(strength, highest, cv::getStructuringElement(cv::MORPH_RECT, {side, side}));
+  const auto least = static_cast<float>(min_strength / unit_strength);
+  std::vector<Corner> corners;
+  for (int v = margin_px; v < image.height() - margin_px; ++v) {
+    const float* here = strength.ptr<float>(v);
+    const float* most = highest.ptr<float>(v);
+    for (int u = margin_px; u < image.width() - margin_px; ++u)
+      if (here[u] >= least && here[u] == most[u]) corners.push_back({u, v, here[u] * unit_strength});
+  }
+  std::stable_sort(corners.begin(), corners.end(),
+                   [](const Corner& a, const Corner& b) { return a.strength > b.strength; });
+  if (corners.size() > static_cast<std::size_t>(max_count))
+    corners.resize(static_cast<std::size_t>(max_count));
+  return corners;
 }
 
 std::optional<Eigen::Vector2d> center_of_corner(const Image& image, const Eigen::Vector2d& near,

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "incognita/vision/image.hpp"
 
@@ -21,6 +22,11 @@ struct Corner {
 /// The strongest corner whose center lies in the box; nothing when the box contains no pixel of the image.
 /// `window_px` (odd) is the side of the square over which gradients are averaged.
 std::optional<Corner> strongest_corner(const Image& image, const PixelBox& box, int window_px);
+
+/// The corners of the whole image whose strength is the largest within `apart_px` in u and in v, and at least
+/// `min_strength`: at most `max_count`, the strongest first. `margin_px`: distance from the border of the image.
+std::vector<Corner> strong_corners(const Image& image, int window_px, double min_strength, int apart_px,
+                                   int margin_px, int max_count);
 
 /// The intersection of the edges in the window (W. Foerstner, E. Guelch 1987). A patch centered at this point keeps
 /// its position under stretch and shear. Returns nothing when the point is not in the window around `near`. The

@@ -190,6 +190,8 @@ void image_estimator(SettingReader& r, Scenario& s) {
   r.all(s.slam.map);
   r.section("bundle");
   r.all(s.slam.bundle);
+  r.section("relocalization");
+  r.all(s.slam.relocalization);
   image_health(r, s.slam.health);
 }
 

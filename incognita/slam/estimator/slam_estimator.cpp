@@ -190,6 +190,37 @@ void SlamEstimator::match_images(Estimate& e, StageClock& stage) {
     if (bodies_[camera.camera().body].was_lost && camera.matched() < enough) camera.discard_matches();
   }
   stage.mark("consensus");
+  for (FeatureTracker& camera : cameras_)
+    if (bodies_[camera.camera().body].was_lost && searches_whole_map(camera)) find_in_map(e, camera);
+  stage.mark("relocalize");
+}
+
+/// Only the pose of a camera that is the body itself can be replaced.
+bool SlamEstimator::searches_whole_map(const FeatureTracker& camera) const {
+  return camera.camera().settings.relocalization.whole_map && !camera.camera().mount &&
+         settings_.filter.form == BeliefForm::covariance;
+}
+
+/// A lost camera is taken to the pose that the search around its last pose gives or, failing that, the search of the whole
+/// map. Either needs evidence; without, the belief stays as it was.
+void SlamEstimator::find_in_map(Estimate& e, FeatureTracker& camera) {
+  const std::size_t which = camera.camera().body;
+  std::optional<PoseEvidence> found = camera.evidence_of_matches(e);
+  camera.discard_matches();
+  if (!found) found = camera.find_in_map(e, e.bodies[which].t);
+  if (!found) return;
+  const Estimate before = e;
+  // The same matches correct the filter: a prior this wide adds 1 % to their information
+  constexpr double prior_sigmas = 10;
+  SmallMatrix P = SmallMatrix::Zero(FreeCameraMotion::error_size, FreeCameraMotion::error_size);
+  P.topLeftCorner<6, 6>() = prior_sigmas * prior_sigmas * found->cov;
+  P.diagonal().segment<3>(6).setConstant(std::pow(settings_.health.sigma_search_velocity_m_s, 2));
+  P.diagonal().tail<3>().setConstant(std::pow(settings_.health.sigma_search_rate_rad_s, 2));
+  put_body(e, which, found->camera, P);
+  camera.take_matches(*std::move(found), e);
+  if (camera.matched() >= camera.camera().settings.relocalization.min_matches) return;
+  camera.discard_matches();
+  e = before;
 }
 
 // ---- Correction

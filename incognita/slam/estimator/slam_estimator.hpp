@@ -49,6 +49,8 @@ class SlamEstimator final : public Estimator {
   bool carries_camera(std::size_t body) const;
   void predict(Estimate& estimate, const Command& command, const Observation& observation, const Tick& tick);
   void match_images(Estimate& estimate, StageClock& stage);
+  bool searches_whole_map(const FeatureTracker& camera) const;
+  void find_in_map(Estimate& estimate, FeatureTracker& camera);
   bool correct(Estimate& estimate);
   void update_map(Estimate& estimate, StageClock& stage);
   void assess(Estimate& estimate, bool corrected);

@@ -13,6 +13,7 @@
 #include "incognita/slam/features/patch_plane.hpp"
 #include "incognita/slam/features/settings.hpp"
 #include "incognita/slam/mapper/estimate.hpp"
+#include "incognita/vision/descriptor.hpp"
 #include "incognita/vision/patch.hpp"
 
 namespace incognita {
@@ -32,9 +33,23 @@ struct DepthHypothesis {
   double weight = 0;
 };
 
+/// A view under which a landmark was matched, described for relocalization: recognition.hpp.
+struct DescribedView {
+  Eigen::Vector3d camera_position;  ///< world, m
+  Eigen::Vector4d world_from_camera;
+  Eigen::Vector2d pixel;  ///< px
+  struct AtScale {
+    double scale = 1;  ///< side of the described square, in units of described_px
+    Descriptor descriptor;
+  };
+  std::vector<AtScale> descriptors;  ///< one or more per scale
+};
+
 /// The appearance of one landmark.
 struct Feature {
   PatchView view;
+  std::vector<DescribedView>
+      described;  ///< empty: not recognized by a lost camera, only where it is predicted
   std::vector<DepthHypothesis> depths;  ///< of a ray only
   int attempts = 0;                     ///< searches in frames that were otherwise matched
   /// Searches and matches weighted by age, with a time constant of MapSettings::memory_attempts; without it unused.

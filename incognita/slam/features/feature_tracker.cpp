@@ -10,6 +10,7 @@
 #include "incognita/slam/features/landmark_initialization.hpp"
 #include "incognita/slam/features/map_management.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
+#include "incognita/slam/features/recognition.hpp"
 #include "incognita/slam/features/validation.hpp"
 
 namespace incognita {
@@ -35,6 +36,7 @@ FeatureTracker::FeatureTracker(Camera camera, const CameraSlamSettings& settings
               .body = placement.body,
               .mount = placement.mount},
       placement_(placement),
+      relocalization_(seed),
       random_(seed, "slam.birth") {
   validate(settings, placement.target, placement.max_search_s);
 }
@@ -135,11 +137,41 @@ void FeatureTracker::discard_matches() {
 void FeatureTracker::after_correction(const Estimate& estimate, const AnyMotion& motion) {
   camera_.view = viewpoint(estimate, camera_, motion);
   estimate_patch_planes(estimate, camera_);
+  if (sees_ && camera_.settings.relocalization.whole_map)
+    describe_new_views(summed_.image(), estimate, camera_);
+}
+
+std::optional<PoseEvidence> FeatureTracker::evidence_of_matches(const Estimate& estimate) const {
+  if (!sees_ || camera_.matched == 0) return std::nullopt;
+  PoseEvidence evidence = gather_evidence(summed_, estimate, camera_);
+  if (!refusal_of(evidence, camera_.camera, camera_.settings).empty()) return std::nullopt;
+  return evidence;
+}
+
+std::optional<PoseEvidence> FeatureTracker::find_in_map(const Estimate& estimate, double t) {
+  if (!sees_) return std::nullopt;
+  return relocalization_.find(summed_, estimate, camera_, t);
+}
+
+void FeatureTracker::take_matches(PoseEvidence evidence, const Estimate& estimate) {
+  camera_.view = viewpoint(estimate, camera_);
+  camera_.matches = std::move(evidence.matches);
+  camera_.predicted = static_cast<int>(camera_.matches.size());
+  Eigen::MatrixXd S(2, 2);
+  for (FeatureMatch& match : camera_.matches) {
+    const LinearizedMeasurement measurement =
+        linearized_measurement(match, estimate.landmarks.at(match.id), camera_);
+    estimate.belief.innovation_covariance({&measurement, 1}, S);
+    match.innovation_cov = S;
+  }
+  add_plane_uncertainty();
+  reject_outliers(estimate);
 }
 
 void FeatureTracker::count_frames_away() { incognita::count_frames_away(camera_); }
 
 void FeatureTracker::maintain_map(Estimate& estimate, const AnyMotion& motion) {
+  relocalization_.restart();
   if (!sees_) return;
   count_attempts(estimate, camera_);
   if (camera_.settings.bundle.adjust) {

@@ -9,6 +9,7 @@
 #include "incognita/math/random.hpp"
 #include "incognita/slam/bundle/keyframes.hpp"
 #include "incognita/slam/features/feature.hpp"
+#include "incognita/slam/features/relocalization.hpp"
 #include "incognita/slam/features/target.hpp"
 #include "incognita/slam/features/target_pose.hpp"
 #include "incognita/vision/search.hpp"
@@ -75,6 +76,16 @@ class FeatureTracker {
   /// Removes what means nothing without the pose.
   void forget_depth_lines(Estimate& estimate);
 
+  /// What a search from the pose that the matches of this frame give finds; nothing unless it suffices,
+  /// RelocalizationSettings.
+  std::optional<PoseEvidence> evidence_of_matches(const Estimate& estimate) const;
+  /// Searches for the pose of a lost camera in the whole map, RelocalizationSettings; the body must be the camera
+  /// itself. Evidence that suffices, or nothing. `t`: s, of this frame.
+  std::optional<PoseEvidence> find_in_map(const Estimate& estimate, double t);
+  /// Takes the matches of that evidence as those of this frame, once the belief holds its pose, with a prior that is wide
+  /// relative to its covariance; rejects outliers.
+  void take_matches(PoseEvidence evidence, const Estimate& estimate);
+
   /// Takes over a landmark of the estimate, e.g. of a saved map, with its appearance. Throws std::logic_error with
   /// BundleSettings::adjust: no keyframe saw it.
   void adopt(std::int64_t id, Feature feature);
@@ -93,6 +104,7 @@ class FeatureTracker {
   TrackedCamera camera_;
   CameraPlacement placement_;
   Keyframes keyframes_;
+  Relocalization relocalization_;
   SummedImage summed_;
   bool sees_ = false;
   bool has_map_ = false;  ///< since start_map()

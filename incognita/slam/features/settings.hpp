@@ -182,6 +182,45 @@ struct BundleSettings {
   }
 };
 
+/// Of a lost camera, in the whole map.
+struct RelocalizationSettings {
+  bool whole_map = true;
+  int period_frames = 1;
+  int min_matches = 6;
+  double min_matched_share = 0.5;
+  int min_distinctive = 3;
+  double min_spread_share = 0.04;
+  int confirmations = 3;
+  double sigma_velocity_m_s = 0.5;
+  double sigma_rate_rad_s = 0.5;
+
+  static void describe(auto&& setting) {
+    using namespace limits;
+    using S = RelocalizationSettings;
+    setting(
+        &S::whole_map, "whole_map", "", any(),
+        "Whether a lost camera recognizes the whole map by descriptors, besides the search around its last pose");
+    setting(&S::period_frames, "period_frames", "", between(1, 100000),
+            "A lost camera recognizes landmarks in every so many frames");
+    setting(&S::min_matches, "min_matches", "", between(5, 10000),
+            "Number of jointly consistent matches in one image that a pose in the map needs");
+    setting(&S::min_matched_share, "min_matched_share", "", between(0, 1),
+            "Share of the features predicted in view at a pose that must match");
+    setting(
+        &S::min_distinctive, "min_distinctive", "", between(0, 10000),
+        "Number of matches that a pose needs in which neither another corner nor another landmark looks alike");
+    setting(
+        &S::min_spread_share, "min_spread_share", "", between(0, 1),
+        "Rms distance of the matches from a line in the image, as a share of its width, that a pose needs");
+    setting(&S::confirmations, "confirmations", "", between(1, 1000),
+            "Consecutive frames that must find the same pose");
+    setting(&S::sigma_velocity_m_s, "sigma_velocity_m_s", "m/s", above_up_to(0, 1000),
+            "Standard deviation of the velocity between these frames, per axis");
+    setting(&S::sigma_rate_rad_s, "sigma_rate_rad_s", "rad/s", above_up_to(0, 1000),
+            "Standard deviation of the angular rate between these frames, per axis");
+  }
+};
+
 struct StartSettings {
   enum class From {
     target,  ///< pose solved from the known target
@@ -209,6 +248,7 @@ struct CameraSlamSettings {
   InitializationSettings initialization;
   MapSettings map;
   BundleSettings bundle;
+  RelocalizationSettings relocalization;
   HealthSettings health{.max_sigma_position_m = 0.5};
 };
 

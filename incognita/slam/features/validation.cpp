@@ -89,6 +89,19 @@ void validate(const BundleSettings& s) {
   need_positive("bundle.limit_sigmas", s.limit_sigmas);
 }
 
+void validate(const RelocalizationSettings& s) {
+  need_at_least("relocalization.period_frames", s.period_frames, 1, "1 or more");
+  need_at_least("relocalization.min_matches", s.min_matches, 5, "5 or more: four fit the pose of any three");
+  need(s.min_matched_share >= 0 && s.min_matched_share <= 1, "relocalization.min_matched_share",
+       s.min_matched_share, "0 to 1");
+  need_at_least("relocalization.min_distinctive", s.min_distinctive, 0, "0 or more");
+  need(s.min_spread_share >= 0 && s.min_spread_share <= 1, "relocalization.min_spread_share",
+       s.min_spread_share, "0 to 1");
+  need_at_least("relocalization.confirmations", s.confirmations, 1, "1 or more");
+  need_positive("relocalization.sigma_velocity_m_s", s.sigma_velocity_m_s);
+  need_positive("relocalization.sigma_rate_rad_s", s.sigma_rate_rad_s);
+}
+
 /// With 0 matches required a camera without images would never be lost.
 void validate(const HealthSettings& s) {
   need_at_least("health.min_matches", s.min_matches, 1, "1 or more");
@@ -104,6 +117,7 @@ void validate(const CameraSlamSettings& s, const std::optional<Target>& target, 
   validate(s.initialization);
   validate(s.map);
   validate(s.bundle);
+  validate(s.relocalization);
   validate(s.health);
   need(max_search_s > 0, "start.max_search_s", max_search_s, "more than 0");
   if (target && target->corners.size() < 4)

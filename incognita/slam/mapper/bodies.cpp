@@ -50,6 +50,15 @@ void stop_and_search(Estimate& e, std::size_t i, const EstimatorSettings& settin
   e.bodies[i].input_period = 0;
 }
 
+void put_body(Estimate& e, std::size_t i, const SmallVector& state, const SmallMatrix& P) {
+  Body& body = e.bodies[i];
+  const int errors = e.belief.chart(body.block).tangent();
+  e.belief.predict({body.block, state, SmallMatrix::Zero(errors, errors), P});
+  body.prediction = state;
+  body.input.reset();
+  body.input_period = 0;
+}
+
 namespace {
 
 /// State and covariance of a body in the world.

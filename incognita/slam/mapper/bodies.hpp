@@ -17,6 +17,9 @@ void add_body(Estimate& estimate, const BodyModel& model, const SmallVector& sta
 /// Stops a body at its last pose and adds the uncertainty of a short search around it.
 void stop_and_search(Estimate& estimate, std::size_t body, const EstimatorSettings& settings);
 
+/// Puts a body at `state`, with covariance `P` and independent of the map: what was estimated of it is forgotten.
+void put_body(Estimate& estimate, std::size_t body, const SmallVector& state, const SmallMatrix& P);
+
 /// Sets the state and the pose of each body in the world, with their covariances, from the belief.
 void express_in_world(Estimate& estimate, const EstimatorSettings& settings);
 

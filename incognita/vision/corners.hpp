@@ -23,6 +23,19 @@ struct Corner {
 /// `window_px` (odd) is the side of the square over which gradients are averaged.
 std::optional<Corner> strongest_corner(const Image& image, const PixelBox& box, int window_px);
 
+/// Corner strengths of a whole image, for many boxes.
+class CornerMap {
+ public:
+  /// `window_px` as above. Allocates only when the size of the images changes.
+  void assign(const Image& image, int window_px);
+  /// As strongest_corner() of the image, up to what lies at the border of the box.
+  std::optional<Corner> strongest(const PixelBox& box) const;
+
+ private:
+  int width_ = 0, height_ = 0;
+  std::vector<float> strengths_;
+};
+
 /// The corners of the whole image whose strength is the largest within `apart_px` in u and in v, and at least
 /// `min_strength`: at most `max_count`, the strongest first. `margin_px`: distance from the border of the image.
 std::vector<Corner> strong_corners(const Image& image, int window_px, double min_strength, int apart_px,

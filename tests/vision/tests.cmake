@@ -1,2 +1,2 @@
-incognita_test(vision_test SOURCES vision/search_test.cpp vision/patch_test.cpp vision/corners_test.cpp vision/descriptor_test.cpp
+incognita_test(vision_test SOURCES vision/search_test.cpp vision/patch_test.cpp vision/pyramid_test.cpp vision/corners_test.cpp vision/descriptor_test.cpp
                USES incognita::vision incognita::math)

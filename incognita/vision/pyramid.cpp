@@ -1,0 +1,34 @@
+#include "incognita/vision/pyramid.hpp"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+namespace incognita {
+namespace {
+
+cv::Mat as_matrix(const Image& image) {
+  return {image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0))};
+}
+
+}  // namespace
+
+void halve(const Image& image, Image& half) {
+  const int width = (image.width() + 1) / 2, height = (image.height() + 1) / 2;
+  if (half.width() != width || half.height() != height) half = Image(width, height);
+  cv::Mat result = as_matrix(half);
+  cv::pyrDown(as_matrix(image), result, result.size());
+}
+
+void ImagePyramid::assign(const Image& image, int most_levels) {
+  summed_[0].assign(image);
+  levels_ = 1;
+  while (levels_ < std::min(most_levels, max_levels)) {
+    const Image& finer = this->image(levels_ - 1);
+    if (std::min(finer.width(), finer.height()) < 2 * min_side_px) break;
+    Image& half = halves_[static_cast<std::size_t>(levels_ - 1)];
+    halve(finer, half);
+    summed_[static_cast<std::size_t>(levels_++)].assign(half);
+  }
+}
+
+}  // namespace incognita

@@ -23,6 +23,7 @@ class ObservabilityWatch {
   std::optional<ObservabilityReport> report();
 
  private:
+  bool exceeds_limit(const Estimate& estimate);
   void follow_planar(const Estimate& estimate);
   void follow_camera(const Estimate& estimate);
   void use_anchors(const Estimate& estimate);
@@ -37,6 +38,7 @@ class ObservabilityWatch {
   std::map<std::int64_t, Eigen::VectorXd> anchors_;                ///< anchors that corrected the filter
   std::vector<Eigen::Vector2d> fixes_;                             ///< clearly distinct positions only
   std::variant<std::monostate, PlanarScene, SpatialScene> scene_;  ///< the last finite one
+  bool too_large_ = false;                                         ///< the map was, once
   bool finite_ = true;                                             ///< whether the current scene is finite
 };
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "incognita/slam/features/automatic_settings.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 
 namespace incognita {
@@ -9,7 +10,7 @@ namespace incognita {
 ImageExpectation::ImageExpectation(Camera camera, const CameraSlamSettings& slam, bool as_mapped,
                                    CameraOfBody carried)
     : camera_(std::move(camera)),
-      slam_(slam),
+      slam_(with_automatic(slam, camera_)),
       R_(slam.filter.sigma_pixel_px * slam.filter.sigma_pixel_px * Eigen::Matrix2d::Identity()),
       as_mapped_(as_mapped),
       carried_(std::move(carried)) {}
@@ -75,7 +76,9 @@ void ImageExpectation::find_visible(const Viewpoint& from) const {
 void ImageExpectation::add(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const {
   const Viewpoint view = from(state);
   find_visible(view);
-  const auto most = static_cast<std::size_t>(slam_.search.max_measurements);
+  const int limit =
+      slam_.search.max_measurements > 0 ? slam_.search.max_measurements : slam_.map.wanted_visible;
+  const auto most = static_cast<std::size_t>(limit);
   traces_.clear();
   if (visible_.size() > most)
     for (const VisibleLandmark& visible : visible_) traces_.push_back(innovation_trace(visible));

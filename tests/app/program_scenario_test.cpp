@@ -87,7 +87,7 @@ TEST(ProgramScenario, RefusesCamerasThatCannotBe) {
        "--set: camera.v0_px = -3.0: must lie inside the image, 0 to 240 (camera.height_px)"},
       {{"camera.width_px=0"}, "--set: camera.width_px = 0: must be 16 to 16384"},
       {{"camera.kd1_per_px2=9"}, "is its unit right?"},
-      {{"camera.k1=-0.3"}, "--set: `camera.k1` belongs to `camera.model = \"pinhole\"`"},
+      {{"camera.k1=-0.3"}, "--set: `camera.k1` belongs to `camera.model = \"pinhole\" or \"fisheye\"`"},
       {{"camera.model=pinhole", "camera.kd1_per_px2=1e-6"},
        "--set: `camera.kd1_per_px2` belongs to `camera.model = \"wide-angle\"`"},
   };

@@ -300,8 +300,8 @@ TEST(LoadScenario, RefusesWrongValues) {
       {"camera", "width_px = 99999999999999", "camera.width_px = 99999999999999: must be 16 to 16384"},
       {"search", "patch_size_px = 10", "search.patch_size_px = 10: must be odd, 9 to 15"},
       {"search", "patch_size_px = 17", "search.patch_size_px = 17: must be odd, 9 to 15"},
-      {"landmark_initialization", "box_width_px = 1",
-       "landmark_initialization.box_width_px = 1: must be 16 to"},
+      {"landmark_initialization", "max_new_per_frame = -1",
+       "landmark_initialization.max_new_per_frame = -1: must be 0 to"},
       {"room", "size_m = [1, 2]", "room.size_m = [1, 2]: must be a list of three numbers"},
       {"room", "size_m = [6, 2, nan]", "room.size_m = [6, 2, nan]: must be finite"},
       {"room", "size_m = [6, \"2\", 3]", "must be a list of three numbers"},
@@ -342,10 +342,10 @@ TEST(LoadScenario, RefusesContradictions) {
     const char *text, *part;
   };
   const Case cases[] = {
-      {"[landmark_initialization]\nmax_depth_m = 0.2",
-       "mine.toml:4: landmark_initialization.max_depth_m = 0.2: must be more than landmark_initialization.min_depth_m"},
-      {"[landmark_initialization]\nbox_width_px = 400",
-       "mine.toml:4: landmark_initialization.box_width_px = 400: must be at most camera.width_px, which is 320"},
+      {"[landmark_initialization]\nselection = \"random-box\"\nmax_depth_m = 0.2",
+       "mine.toml:5: landmark_initialization.max_depth_m = 0.2: must be more than landmark_initialization.min_depth_m"},
+      {"[landmark_initialization]\nselection = \"random-box\"\nbox_width_px = 400",
+       "mine.toml:5: landmark_initialization.box_width_px = 400: must be at most camera.width_px, which is 320"},
       {"[decision]\nmax_bound_m = [1, -2e9, 1]", "mine.toml:4: decision.max_bound_m"},
       {"[world]\ntype = \"recording\"", "default: recording.folder = \"\": must name the recording"},
       {"[room]\nstart_position_m = [9, 0, 1]",
@@ -367,7 +367,8 @@ TEST(LoadScenario, RefusesContradictions) {
        "mine.toml:4: room.size_m = [6.0, 6.0, 30.0]: must be 2 to 50 long and wide"},
       {"[run]\nduration_s = 1e7\nrate_hz = 1000",
        "mine.toml:4: run.duration_s = 10000000.0: must make at most 1e+09"},
-      {"[map]\nmax_landmarks = 5", "map.wanted_visible = 12: must be at most map.max_landmarks"},
+      {"[map]\nmax_landmarks = 5\nwanted_visible = 12",
+       "map.wanted_visible = 12: must be at most map.max_landmarks"},
   };
   for (const Case& one : cases) EXPECT_HAS(complaint(free_start + one.text + "\n"), one.part);
   EXPECT_HAS(complaint("[start]\nfrom = \"target\"\n"), "start.target = \"\": must name a target file");

@@ -21,7 +21,6 @@ constexpr double px_per_m = 195 / 2.0;  // on the wall, seen from the origin
 /// Landmarks at corners of the wall, spread over the image, all where they are believed to be but for `off`.
 struct Scene : Tracking {
   Image image = wall.seen_from(origin);
-  SummedImage summed;
 
   explicit Scene(double sigma_camera_m) : Tracking(origin, camera_covariance(sigma_camera_m)) {
     tracked.settings.filter.sigma_pixel_px = 0.5;
@@ -42,9 +41,9 @@ struct Scene : Tracking {
   SearchSettings& settings() { return tracked.settings.search; }
   /// Number of features searched for.
   int search() {
-    summed.assign(image);
+    const ImagePyramid pyramid(image, settings().levels);
     predict_matches(estimate, tracked);
-    active_search(summed, tracked);
+    active_search(pyramid, tracked);
     return tracked.predicted;
   }
   /// Number of inliers.

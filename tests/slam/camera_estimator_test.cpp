@@ -57,7 +57,7 @@ bool searches_rays(const Estimate& estimate) {
                      [](const Match& match) { return match.ray; });
 }
 
-SlamEstimator estimator(const CameraSlamSettings& settings = {}) {
+SlamEstimator estimator(const CameraSlamSettings& settings = synthetic::few_features()) {
   return single_camera(camera, std::nullopt, settings, 10, 1);
 }
 
@@ -110,7 +110,7 @@ TEST(SingleCamera, TracksAlikeWhateverItsFirstTick) {
 
 /// An image may go when the tick is over: nothing of it is looked at in the next.
 TEST(SingleCamera, KeepsNoImageAndSearchesNothingWithoutOne) {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = synthetic::few_features();
   settings.initialization.method = InitializationSettings::Method::depth_line;
   settings.map.wanted_visible = 20;
   settings.health.min_matches = 1;
@@ -136,7 +136,7 @@ TEST(SingleCamera, KeepsNoImageAndSearchesNothingWithoutOne) {
 }
 
 std::string refusal(const std::function<void(CameraSlamSettings&)>& change) {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = synthetic::few_features();
   change(settings);
   try {
     estimator(settings);

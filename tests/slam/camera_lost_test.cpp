@@ -20,7 +20,7 @@ const CameraState origin = camera_at({0, 0, 0});
 /// Tracks the wall from a known start: the camera slides to the left by 2 cm a frame, so that depths are
 /// known.
 struct Tracked {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = few_features();
   SlamEstimator estimator;
   Estimate estimate;
   CameraState truth = origin;
@@ -37,7 +37,7 @@ struct Tracked {
     EXPECT_LT(position_error_m(), 0.02);
   }
   static CameraSlamSettings defaults() {
-    CameraSlamSettings settings;
+    CameraSlamSettings settings = few_features();
     settings.filter.sigma_pixel_px = 0.5;
     return settings;
   }

@@ -15,7 +15,7 @@ namespace {
 using namespace synthetic;
 
 SlamEstimator from_target(double max_search_s = 10) {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = few_features();
   settings.filter.sigma_pixel_px = 0.4;
   return single_camera(camera, sheet_target(), settings, max_search_s, 1);
 }
@@ -125,7 +125,7 @@ TEST(CameraStart, GivesUpWithoutAnyImageToo) {
 }
 
 TEST(CameraStart, WithoutATargetTheFirstViewIsTheOrigin) {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = few_features();
   settings.initialization.inverse_depth_per_m = 0.4;
   settings.map.wanted_visible = 10;
   SlamEstimator estimator = single_camera(camera, std::nullopt, settings, 10, 1);

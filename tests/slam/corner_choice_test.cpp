@@ -84,7 +84,7 @@ TEST(CornerChoice, NoneNearAFeatureThatIsExpected) {
 }
 
 TEST(CornerChoice, UntilTheImageIsFullKeepsFeaturesApart) {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = few_features();
   settings.initialization.box_width_px = settings.initialization.box_height_px = 24;
   Tracking t(origin, well_known, settings);
   const Image image = Wall(2).seen_from(origin);
@@ -121,7 +121,7 @@ double share_leaving(const std::vector<Eigen::Vector2d>& corners, const CameraSt
 }
 
 TEST(CornerChoice, NoneThatIsAboutToLeaveTheView) {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = few_features();
   settings.initialization.look_ahead_s = 0.5;
   const Image image = Wall(2).seen_from(origin);
   CameraState turning = origin, sliding = origin;

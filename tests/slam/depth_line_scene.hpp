@@ -14,7 +14,7 @@ inline const Wall wall(2);
 inline const CameraState origin = camera_at({0, 0, 0});
 
 inline CameraSlamSettings with_lines() {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = few_features();
   settings.initialization.method = InitializationSettings::Method::depth_line;
   settings.filter.sigma_pixel_px = 0.5;
   return settings;

@@ -24,8 +24,8 @@ Tracking one_of_each(const CameraSlamSettings& settings) {
   Tracking t(origin, correlated_covariance(0.01, 4), settings);
   const Image image = wall.seen_from(origin);
   const Eigen::Vector3d at = wall.point_at(origin, {100, 80});
-  add_anchor(at, cut_view(image, pixel_of(origin, at), origin, camera, settings).value(), t.estimate,
-             t.tracked);
+  add_anchor(at, cut_view(ImagePyramid(image), pixel_of(origin, at), origin, camera, settings).value(),
+             t.estimate, t.tracked);
   const Eigen::Vector3d other = wall.point_at(origin, {200, 100});
   t.add_point(image, origin, other, other, 0.02);
   EXPECT_TRUE(t.initialize(image, {150, 140}));
@@ -47,7 +47,7 @@ Eigen::VectorXd pixel_with(const Estimate& estimate, const Landmark& landmark,
 }
 
 TEST(ExpectedMatches, HaveTheInnovationCovarianceOfNumericPropagation) {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = few_features();
   settings.filter.sigma_pixel_px = 0.6;
   Tracking t = one_of_each(settings);
   const Estimate& estimate = t.estimate;
@@ -77,7 +77,7 @@ TEST(ExpectedMatches, HaveTheInnovationCovarianceOfNumericPropagation) {
 /// Whether the one landmark, first seen from the origin, is expected from here.
 bool expected_from(const CameraState& from, const Eigen::Vector2d& first_seen = {160, 120},
                    const MapSettings& map = {}) {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = few_features();
   settings.map = map;
   Tracking t(origin, 1e-6 * CameraCov::Identity(), settings);
   const Eigen::Vector3d at = wall.point_at(origin, first_seen);

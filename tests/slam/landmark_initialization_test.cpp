@@ -59,7 +59,7 @@ void expect_propagated(const AnyBelief& belief, BlockId camera_block, BlockId ot
 }
 
 TEST(LandmarkInitialization, OfAnInverseDepthIsTheRayWithItsPropagatedCovariance) {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = few_features();
   settings.filter.sigma_pixel_px = 0.7;
   settings.initialization.inverse_depth_per_m = 0.4;
   settings.initialization.sigma_inverse_depth_per_m = 0.3;
@@ -92,7 +92,7 @@ TEST(LandmarkInitialization, OfAnInverseDepthIsTheRayWithItsPropagatedCovariance
 }
 
 TEST(LandmarkInitialization, OfADepthLineIsTheRayAndUniformParticles) {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = few_features();
   settings.initialization.method = InitializationSettings::Method::depth_line;
   settings.initialization.particles = 100;  // thesis C.1: 100, 0.5 m to 5 m
   Correlated c(settings);
@@ -120,9 +120,9 @@ TEST(LandmarkInitialization, OfADepthLineIsTheRayAndUniformParticles) {
 }
 
 TEST(LandmarkInitialization, KeepsTheViewItWasSeenFrom) {
-  const CameraSlamSettings settings;
+  const CameraSlamSettings settings = few_features();
   const Image image = Wall(2).seen_from(oblique);
-  const auto view = cut_view(image, pixel, oblique, camera, settings);
+  const auto view = cut_view(ImagePyramid(image), pixel, oblique, camera, settings);
   ASSERT_TRUE(view);
   EXPECT_EQ(view->pixel, pixel);
   EXPECT_EQ(view->camera_position, Eigen::Vector3d(free_camera::position(oblique)));
@@ -139,7 +139,7 @@ TEST(LandmarkInitialization, KeepsTheViewItWasSeenFrom) {
 TEST(LandmarkInitialization, WithoutAWholePatchChangesNothing) {
   for (const auto method :
        {InitializationSettings::Method::inverse_depth, InitializationSettings::Method::depth_line}) {
-    CameraSlamSettings settings;
+    CameraSlamSettings settings = few_features();
     settings.initialization.method = method;
     Tracking t(oblique, correlated_covariance(0.05, 3), settings);
     const Estimate& estimate = t.estimate;

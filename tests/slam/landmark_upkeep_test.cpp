@@ -41,7 +41,7 @@ TEST(LandmarkDeletion, OfWhatWasMatchedInLessThanHalfOfEnoughAttempts) {
   set_counts(t, 3, 40, 19);  // less than half
   set_counts(t, 4, 40, 20);
   const Tracking before = t;
-  t.tracked.settings.map = {.min_attempts = 10, .min_matched_share = 0.5};
+  t.tracked.settings.map = {.min_attempts = 10, .min_matched_share = 0.5, .memory_attempts = 0};
   delete_bad_landmarks(estimate, t.tracked);
   EXPECT_EQ(ids(estimate), (std::vector<std::int64_t>{1, 2, 4}));
   EXPECT_EQ(t.tracked.features.size(), 3u);
@@ -54,10 +54,10 @@ TEST(LandmarkDeletion, OfWhatWasMatchedInLessThanHalfOfEnoughAttempts) {
   }
   EXPECT_EQ(estimate.belief.covariance(t.landmark(1).block, t.landmark(4).block),
             old.covariance(before.landmark(1).block, before.landmark(4).block));
-  t.tracked.settings.map = {.min_attempts = 9, .min_matched_share = 0.5};
+  t.tracked.settings.map = {.min_attempts = 9, .min_matched_share = 0.5, .memory_attempts = 0};
   delete_bad_landmarks(estimate, t.tracked);
   EXPECT_EQ(ids(estimate), (std::vector<std::int64_t>{1, 4})) << "nine are enough here";
-  t.tracked.settings.map = {.min_attempts = 9, .min_matched_share = 0.51};
+  t.tracked.settings.map = {.min_attempts = 9, .min_matched_share = 0.51, .memory_attempts = 0};
   delete_bad_landmarks(estimate, t.tracked);
   EXPECT_TRUE(estimate.landmarks.empty());
   EXPECT_TRUE(t.tracked.features.empty());
@@ -132,13 +132,13 @@ TEST(LandmarkDeletion, OfAnInverseDepthBelowZero) {
 }
 
 TEST(LandmarkDeletion, NeverOfAnchorsNorOfLines) {
-  CameraSlamSettings lines;
+  CameraSlamSettings lines = few_features();
   lines.initialization.method = InitializationSettings::Method::depth_line;
   Tracking t(origin, correlated_covariance(0.01, 6), lines);
   const Image image = Wall(2).seen_from(origin);
   ASSERT_TRUE(t.initialize(image, {60, 60}));
-  add_anchor(Wall(2).point_at(origin, {100, 100}), cut_view(image, {100, 100}, origin, camera, lines).value(),
-             t.estimate, t.tracked);
+  add_anchor(Wall(2).point_at(origin, {100, 100}),
+             cut_view(ImagePyramid(image), {100, 100}, origin, camera, lines).value(), t.estimate, t.tracked);
   for (const std::int64_t id : ids(t.estimate)) set_counts(t, id, 1000, 0);
   delete_bad_landmarks(t.estimate, t.tracked);
   EXPECT_EQ(ids(t.estimate), (std::vector<std::int64_t>{0, 1}));

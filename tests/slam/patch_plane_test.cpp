@@ -64,8 +64,12 @@ class PatchPlanes : public ::testing::TestWithParam<std::pair<double, double>> {
   }
   void SetUp() override {
     const CameraState first = on_arc(0, Eigen::Vector3d::UnitY());
-    view = {*cut_texture(wall.seen_from(first, camera), pixel, 27, 6), pixel, Eigen::Vector3d::Zero(),
-            free_camera::orientation(first), plane()};
+    view = {*cut_texture(wall.seen_from(first, camera), pixel, 27, 6),
+            {},
+            pixel,
+            Eigen::Vector3d::Zero(),
+            free_camera::orientation(first),
+            plane()};
   }
   PatchTemplate expected(const Eigen::Vector2d& slope, const CameraState& from) const {
     const auto map = local_warp(view, view.plane.normal(slope), point, pixel, camera, from);

@@ -15,7 +15,7 @@ namespace {
 using namespace synthetic;
 
 CameraSlamSettings defaults() {
-  CameraSlamSettings settings;
+  CameraSlamSettings settings = few_features();
   settings.filter.sigma_pixel_px = 0.5;
   settings.filter.sigma_acceleration_m_s2 = 2;
   return settings;

@@ -187,12 +187,31 @@ inline Estimate estimate_at(const CameraState& x, const CameraCov& P) {
   return estimate;
 }
 
+/// As in Appendix C of the thesis, whatever the image: few features, judged by all their searches.
+inline CameraSlamSettings few_features() {
+  CameraSlamSettings settings;
+  settings.filter.sigma_acceleration_m_s2 = settings.filter.sigma_angular_acceleration_rad_s2 = 1;
+  settings.filter.sigma_pixel_px = 1;
+  settings.filter.sigma_start_velocity_m_s = settings.filter.sigma_start_angular_rate_rad_s = 0.2;
+  settings.search.max_measurements = settings.map.wanted_visible = 12;
+  settings.search.levels = 1;
+  settings.search.align_images = false;
+  settings.initialization.selection = InitializationSettings::Selection::random_box;
+  settings.initialization.max_new_per_frame = 1;
+  settings.initialization.min_corner_strength = 30;
+  settings.initialization.second_order = false;
+  settings.map.max_landmarks = 200;
+  settings.map.replace_when_full = false;
+  settings.map.memory_attempts = 0;
+  return settings;
+}
+
 /// The estimate and the camera that tracks with it.
 struct Tracking {
   Estimate estimate;
   TrackedCamera tracked{.camera = camera};
 
-  Tracking(const CameraState& x, const CameraCov& P, const CameraSlamSettings& settings = {})
+  Tracking(const CameraState& x, const CameraCov& P, const CameraSlamSettings& settings = few_features())
       : estimate(estimate_at(x, P)) {
     tracked.settings = settings;
     tracked.view = viewpoint(estimate, tracked);
@@ -209,7 +228,7 @@ struct Tracking {
     tracked.view = viewpoint(estimate, tracked);
   }
   bool initialize(const Image& image, const Eigen::Vector2d& pixel) {
-    return initialize_from_image(image, pixel, estimate, tracked);
+    return initialize_from_image(ImagePyramid(image), pixel, estimate, tracked);
   }
   /// A point landmark independent of all else, its patch cut where `from` sees `seen_at` in `image`. Its id.
   std::int64_t add_point(const Image& image, const CameraState& from, const Eigen::Vector3d& seen_at,
@@ -221,7 +240,8 @@ struct Tracking {
     landmark.block = estimate.belief.augment(PointLandmark::chart, mean, {},
                                              sigma_m * sigma_m * Eigen::Matrix3d::Identity());
     Feature feature;
-    feature.view = cut_view(image, pixel_of(from, seen_at), from, camera, tracked.settings).value();
+    feature.view =
+        cut_view(ImagePyramid(image), pixel_of(from, seen_at), from, camera, tracked.settings).value();
     feature.view.plane.facing = -Eigen::Vector3d::UnitX();
     feature.view.plane.slope_cov.setZero();
     tracked.features.emplace(landmark.id, std::move(feature));

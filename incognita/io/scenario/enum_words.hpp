@@ -50,6 +50,11 @@ inline constexpr auto enum_words<InitializationSettings::Center> =
     std::to_array<EnumWord<InitializationSettings::Center>>({{InitializationSettings::Center::edges, "edges"},
                                                              {InitializationSettings::Center::peak, "peak"}});
 template <>
+inline constexpr auto enum_words<InitializationSettings::Selection> =
+    std::to_array<EnumWord<InitializationSettings::Selection>>(
+        {{InitializationSettings::Selection::grid, "grid"},
+         {InitializationSettings::Selection::random_box, "random-box"}});
+template <>
 inline constexpr auto enum_words<Linearization> =
     std::to_array<EnumWord<Linearization>>({{Linearization::analytic, "analytic"},
                                             {Linearization::iterated, "iterated"},

@@ -33,8 +33,9 @@ void check_sizes(const Scenario& s, List& found) {
   fits("landmark_initialization.box_height_px", initialization.box_height_px, "camera.height_px",
        s.camera.height_px);
   fits("map.wanted_visible", s.slam.map.wanted_visible, "map.max_landmarks", s.slam.map.max_landmarks);
-  fits("health.min_matches", s.slam.health.min_matches, "search.max_measurements",
-       s.slam.search.max_measurements);
+  if (s.slam.search.max_measurements > 0)
+    fits("health.min_matches", s.slam.health.min_matches, "search.max_measurements",
+         s.slam.search.max_measurements);
   if (initialization.max_depth_m <= initialization.min_depth_m)
     found.push_back({"landmark_initialization.max_depth_m",
                      fmt::format("must be more than landmark_initialization.min_depth_m, which is {}",

@@ -165,12 +165,15 @@ void image_health(SettingReader& r, HealthSettings& health) {
 void landmark_initialization(SettingReader& r, InitializationSettings& i) {
   using I = InitializationSettings;
   r.section("landmark_initialization");
-  r.some(i, &I::method, &I::box_width_px, &I::box_height_px, &I::min_corner_strength, &I::center,
-         &I::look_ahead_s, &I::sigma_slope, &I::max_new_per_frame, &I::min_depth_m, &I::max_depth_m);
+  r.some(i, &I::method, &I::selection);
+  if (i.selection == I::Selection::random_box) r.some(i, &I::box_width_px, &I::box_height_px);
+  r.some(i, &I::min_corner_strength, &I::center, &I::look_ahead_s, &I::sigma_slope, &I::max_new_per_frame);
+  if (i.selection == I::Selection::random_box || i.method == I::Method::depth_line)
+    r.some(i, &I::min_depth_m, &I::max_depth_m);
   if (i.method == I::Method::depth_line)
     r.some(i, &I::particles, &I::depth_ratio, &I::max_line_failures);
   else
-    r.some(i, &I::inverse_depth_per_m, &I::sigma_inverse_depth_per_m, &I::max_linearity);
+    r.some(i, &I::inverse_depth_per_m, &I::sigma_inverse_depth_per_m, &I::max_linearity, &I::second_order);
 }
 
 void image_estimator(SettingReader& r, Scenario& s) {
@@ -484,6 +487,10 @@ void prior_depth(SettingReader& r, Scenario& s, const Bodies& b) {
 }
 
 void points(SettingReader& r, Scenario& s) {
+  // Bodies of this world are driven by commands, and not held in a hand
+  s.slam.filter.sigma_acceleration_m_s2 = s.slam.filter.sigma_angular_acceleration_rad_s2 = 1;
+  s.slam.filter.sigma_start_velocity_m_s = s.slam.filter.sigma_start_angular_rate_rad_s = 0.2;
+  s.slam.filter.sigma_pixel_px = 1;
   std::vector<std::string> sensors = sensor_words();
   std::rotate(sensors.begin(), std::find(sensors.begin(), sensors.end(), "camera"), sensors.end());
   sensor_type(r, s, sensors);

@@ -35,8 +35,11 @@ std::optional<InverseDepthLandmark::Prediction> InverseDepthLandmark::predict_me
   const Eigen::Vector3d c = in_camera<double>(x, y);
   const auto projected = camera.project(c);
   if (!projected) return std::nullopt;
-  Prediction prediction{projected->pixel, camera_jacobian(projected->J, camera_from_world, c, y[5]), {}};
-  const Eigen::Matrix<double, 2, 3> d_world = projected->J * camera_from_world;
+  Prediction prediction{projected->pixel,
+                        camera_jacobian(projected->J, camera_from_world, c, y[5]),
+                        {},
+                        projected->J * camera_from_world};
+  const Eigen::Matrix<double, 2, 3>& d_world = prediction.by_parallax;
   prediction.Hl.leftCols<3>() = y[5] * d_world;
   prediction.Hl.middleCols<2>(3) = d_world * rotation_matrix<double>(world_from_initial_camera).leftCols<2>();
   prediction.Hl.col(5) = d_world * (y.head<3>() - free_camera::position(x));

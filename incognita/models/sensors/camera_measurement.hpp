@@ -53,6 +53,9 @@ struct InverseDepthLandmark {
     Eigen::Vector2d pixel;
     CameraJacobian Hv;
     Eigen::Matrix<double, 2, 6> Hl;
+    /// d(pixel) / d(inverse depth * vector from the camera to the initial position), world axes: the measurement is
+    /// bilinear in these two
+    Eigen::Matrix<double, 2, 3> by_parallax;
   };
   struct Initialization {
     Eigen::Vector4d world_from_initial_camera;

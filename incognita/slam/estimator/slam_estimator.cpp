@@ -78,7 +78,7 @@ void SlamEstimator::update(Estimate& e, const Command& command, const Observatio
   note_lost(e);
   predict(e, command, observation, tick);
   stage.mark("predict");
-  if (tracks) match_images(e, stage);
+  if (tracks) match_images(e, tick, stage);
   associate_detections(e, observation, settings_, inliers_);
   stage.mark("associate");
   const bool corrected = correct(e);
@@ -175,9 +175,24 @@ void SlamEstimator::predict(Estimate& e, const Command& command, const Observati
   }
 }
 
+/// Predicts the features of a camera. A camera that moves freely and turned by more than its motion model allows gets the
+/// uncertainty of an acceleration over the last frame that explains the turn of the whole image, or the same image motion
+/// by a translation.
+void SlamEstimator::predict_features(Estimate& e, FeatureTracker& camera, double dt) {
+  const bool was_lost = bodies_[camera.camera().body].was_lost;
+  if (!was_lost) camera.align(e, motion_of(camera));
+  camera.predict(e, motion_of(camera));
+  if (was_lost) return;
+  const std::optional<double> turn_rad = camera.unexpected_turn_rad();
+  if (!turn_rad || camera.camera().mount || !(dt > 0)) return;
+  const double angular = 2 * *turn_rad / (dt * dt);  // held over dt it turns by the angle
+  add_acceleration_noise(e, camera.camera().body, angular * camera.camera().median_depth_m, angular, dt);
+  camera.predict(e, motion_of(camera));
+}
+
 /// Finds the features in the images. Of a lost body only enough matches count, since few may be false.
-void SlamEstimator::match_images(Estimate& e, StageClock& stage) {
-  for (FeatureTracker& camera : cameras_) camera.predict(e, motion_of(camera));
+void SlamEstimator::match_images(Estimate& e, const Tick& tick, StageClock& stage) {
+  for (FeatureTracker& camera : cameras_) predict_features(e, camera, tick.dt);
   stage.mark("predict");
   for (FeatureTracker& camera : cameras_) camera.search();
   stage.mark("search");
@@ -186,7 +201,7 @@ void SlamEstimator::match_images(Estimate& e, StageClock& stage) {
   for (FeatureTracker& camera : cameras_) {
     camera.reject_outliers(e);
     const int enough =
-        std::min(settings_.health.min_matches_to_relocate, camera.camera().settings.search.max_measurements);
+        std::min(settings_.health.min_matches_to_relocate, camera.camera().most_measurements());
     if (bodies_[camera.camera().body].was_lost && camera.matched() < enough) camera.discard_matches();
   }
   stage.mark("consensus");

@@ -8,6 +8,7 @@
 #include "incognita/slam/features/consensus.hpp"
 #include "incognita/slam/features/map_management.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
+#include "incognita/slam/features/search_feature.hpp"
 
 namespace incognita {
 namespace {
@@ -46,31 +47,56 @@ double expected_information(const FeatureMatch& match, const TrackedCamera& came
 
 }  // namespace
 
-void active_search(const SummedImage& image, TrackedCamera& camera) {
+namespace {
+
+/// In a blurred image hardly any patch matches at full resolution. They are searched for again at half of it, where blur is
+/// half as wide; positions are then less precise.
+constexpr double blurred_share =
+    0.5;  // of the searches that succeeded, below which the image counts as blurred
+constexpr int blurred_level = 1;
+
+void accept(FeatureMatch& match, const std::optional<Found>& found, double min_correlation, int level) {
+  if (!found) return;
+  match.correlation = found->correlation;
+  if (found->correlation < min_correlation) return;
+  match.measured = found->pixel;
+  match.level = level;
+  match.outcome = MatchOutcome::matched;
+}
+
+void search_blurred(CorrelationSheet& sheet, const ImagePyramid& image, TrackedCamera& camera) {
+  const auto matched = std::ranges::count(camera.matches, MatchOutcome::matched, &FeatureMatch::outcome);
+  if (image.levels() <= blurred_level || static_cast<double>(matched) >= blurred_share * camera.predicted)
+    return;
+  for (FeatureMatch& match : camera.matches)
+    if (match.outcome == MatchOutcome::not_found)
+      accept(match,
+             search_feature_at_level(sheet, image, camera.features.at(match.id).view, match, camera,
+                                     blurred_level),
+             camera.settings.search.min_correlation, blurred_level);
+}
+
+}  // namespace
+
+void active_search(const ImagePyramid& image, TrackedCamera& camera) {
   const SearchSettings& settings = camera.settings.search;
   for (FeatureMatch& match : camera.matches) match.expected_information = expected_information(match, camera);
   std::sort(camera.matches.begin(), camera.matches.end(), [](const FeatureMatch& a, const FeatureMatch& b) {
     return a.expected_information != b.expected_information ? a.expected_information > b.expected_information
                                                             : a.id < b.id;
   });
+  const int most = camera.most_measurements();
   thread_local CorrelationSheet sheet;
   camera.predicted = 0;
   for (FeatureMatch& match : camera.matches) {
-    if (camera.predicted == settings.max_measurements) break;
-    const auto patch =
-        warp(camera.features.at(match.id).view.texture, match.texture_from_view, settings.patch_size_px);
-    if (!patch) continue;
+    if (camera.predicted == most) break;
+    const PatchView& view = camera.features.at(match.id).view;
+    if (!warp(view.texture, match.texture_from_view, settings.patch_size_px)) continue;
     ++camera.predicted;
     match.outcome = MatchOutcome::not_found;
-    const auto found =
-        search(sheet, image, *patch, {match.predicted, match.innovation_cov, settings.gate_sigmas},
-               settings.max_half_axis_px);
-    if (!found) continue;
-    match.correlation = found->correlation;
-    if (found->correlation < settings.min_correlation) continue;
-    match.measured = found->pixel;
-    match.outcome = MatchOutcome::matched;
+    accept(match, search_feature(sheet, image, view, match, camera), settings.min_correlation, 0);
   }
+  search_blurred(sheet, image, camera);
   drop_repeated_corners(camera);
 }
 

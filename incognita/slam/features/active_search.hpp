@@ -2,7 +2,7 @@
 #pragma once
 
 #include "incognita/slam/features/feature.hpp"
-#include "incognita/vision/search.hpp"
+#include "incognita/vision/pyramid.hpp"
 
 namespace incognita {
 
@@ -10,7 +10,7 @@ namespace incognita {
 /// unless they hardly matched of late), at most `max_measurements` of them, each inside its own ellipse. Fills
 /// measured, correlation and outcome (not_found or matched, before outlier rejection) of the camera's matches, and
 /// counts the features that were searched for.
-void active_search(const SummedImage& image, TrackedCamera& camera);
+void active_search(const ImagePyramid& image, TrackedCamera& camera);
 
 /// Sets the outcome of matches that are inconsistent with the others to `outlier`, or to `unconfirmed`, and counts the
 /// remaining ones.

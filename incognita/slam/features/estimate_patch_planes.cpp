@@ -52,7 +52,7 @@ bool is_new_view(const PatchView& view, const Eigen::Vector3d& point, const Eige
 
 void add_plane_uncertainty(const Image& image, TrackedCamera& camera) {
   for (FeatureMatch& match : camera.matches) {
-    if (match.outcome != MatchOutcome::matched) continue;
+    if (match.outcome != MatchOutcome::matched || match.level > 0) continue;
     const PatchView& view = camera.features.at(match.id).view;
     if (view.plane.known()) continue;
     match.plane = evidence_of(view, match, camera.camera, camera.view.camera, image,

@@ -15,13 +15,16 @@
 #include "incognita/slam/mapper/estimate.hpp"
 #include "incognita/vision/descriptor.hpp"
 #include "incognita/vision/patch.hpp"
+#include "incognita/vision/pyramid.hpp"
 
 namespace incognita {
 
 /// The texture of a landmark and the view it was taken from.
 struct PatchView {
   PatchTexture texture;
-  Eigen::Vector2d pixel;            ///< in that view's image, px
+  std::vector<PatchTexture>
+      coarse;             ///< the same at levels 1, 2, ... of the image pyramid, as far as they lie in it
+  Eigen::Vector2d pixel;  ///< in that view's image, px
   Eigen::Vector3d camera_position;  ///< world, m
   Eigen::Vector4d world_from_camera;
   PatchPlane plane;
@@ -67,9 +70,12 @@ struct FeatureMatch {
   double expected_information = 0;                       ///< nats, of a search; it orders them
   CameraJacobian Hv;                                     ///< d(pixel) / d(camera error)
   Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 6> Hl;  ///< no columns for anchors
-  Eigen::Vector3d point;                                 ///< world, m: position assumed for the warp
+  Eigen::Matrix<double, 2, 3> by_parallax;  ///< InverseDepthLandmark::Prediction; zero for points
+  Eigen::Matrix2d second_order_cov = Eigen::Matrix2d::Zero();  ///< px^2: what the linearization leaves out
+  Eigen::Vector3d point;                                       ///< world, m: position assumed for the warp
   Eigen::Matrix2d texture_from_view;  ///< local map from pixels of this view to pixels of the texture
   std::optional<Eigen::Vector2d> measured;
+  int level = 0;  ///< of the pyramid, at which it was found: its noise is 2^level times as large
   std::optional<PlaneEvidence> plane;                   ///< of a match on a patch of unknown plane
   Eigen::Matrix2d plane_cov = Eigen::Matrix2d::Zero();  ///< px^2: its additional noise
   double correlation = 0;
@@ -114,12 +120,20 @@ struct TrackedCamera {
 
   // Of the current frame
   Viewpoint view = {};
+  /// Rotation of rays from where the filter predicts them to where the alignment of whole images does; none: no alignment
+  std::optional<Eigen::Matrix3d> guide = {};
   std::vector<FeatureMatch> matches = {};
   std::vector<RayMatch> ray_matches = {};
   std::vector<DepthParticle> ray_particles = {};  ///< of those, one after the other
+  double median_depth_m = 1;                      ///< distance of the landmarks matched last, or of a new one
+  int max_measurements = 0;                       ///< without SearchSettings::max_measurements
   int predicted = 0;                              ///< features searched for
   int matched = 0;                                ///< inliers
 
+  /// Features that are searched for at most.
+  int most_measurements() const {
+    return settings.search.max_measurements > 0 ? settings.search.max_measurements : max_measurements;
+  }
   double pixel_var() const { return settings.filter.sigma_pixel_px * settings.filter.sigma_pixel_px; }
 };
 

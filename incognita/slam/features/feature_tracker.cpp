@@ -1,9 +1,12 @@
 #include "incognita/slam/features/feature_tracker.hpp"
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "incognita/slam/features/active_search.hpp"
+#include "incognita/slam/features/automatic_settings.hpp"
 #include "incognita/slam/features/depth_line.hpp"
 #include "incognita/slam/features/each_feature.hpp"
 #include "incognita/slam/features/estimate_patch_planes.hpp"
@@ -11,6 +14,7 @@
 #include "incognita/slam/features/map_management.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 #include "incognita/slam/features/recognition.hpp"
+#include "incognita/slam/features/search_feature.hpp"
 #include "incognita/slam/features/validation.hpp"
 
 namespace incognita {
@@ -31,10 +35,11 @@ std::string found_in_words(const Target& target, const TargetPose& pose) {
 
 FeatureTracker::FeatureTracker(Camera camera, const CameraSlamSettings& settings,
                                const CameraPlacement& placement, std::uint64_t seed)
-    : camera_{.camera = std::move(camera),
-              .settings = settings,
+    : camera_{.camera = camera,
+              .settings = with_automatic(settings, camera),
               .body = placement.body,
-              .mount = placement.mount},
+              .mount = placement.mount,
+              .median_depth_m = 1 / settings.initialization.inverse_depth_per_m},
       placement_(placement),
       relocalization_(seed),
       random_(seed, "slam.birth") {
@@ -47,7 +52,11 @@ void FeatureTracker::see(const Image* image) {
   sees_ = image && !image->empty();
   if (!sees_) return;
   check_size(*image, camera_.camera);
-  summed_.assign(*image);
+  pyramid_.assign(*image, camera_.settings.search.levels);
+  camera_.guide.reset();
+  if (!camera_.settings.search.align_images) return;
+  std::swap(small_, small_before_);
+  small_.assign(*image);
 }
 
 FeatureTracker::Start FeatureTracker::find_start(double waited_s) const {
@@ -56,8 +65,8 @@ FeatureTracker::Start FeatureTracker::find_start(double waited_s) const {
   if (sees_ && !placement_.target)
     return {true, false, {}, "started without a target: the scale is not observable"};
   if (sees_) {
-    TargetSearch search =
-        find_target(*placement_.target, camera_.camera, summed_, camera_.settings.filter.sigma_pixel_px);
+    TargetSearch search = find_target(*placement_.target, camera_.camera, pyramid_.summed(),
+                                      camera_.settings.filter.sigma_pixel_px);
     if (search.pose) {
       std::string reason = found_in_words(*placement_.target, *search.pose);
       return {true, false, std::move(search.pose), std::move(reason)};
@@ -73,9 +82,9 @@ void FeatureTracker::start_map(Estimate& estimate, const std::optional<TargetPos
   has_map_ = true;
   camera_.features.clear();
   camera_.view = viewpoint(estimate, camera_, motion);
+  before_ = camera_.view.camera;
   for (std::size_t i = 0; pose && i < placement_.target->corners.size(); ++i) {
-    auto view =
-        cut_view(summed_.image(), pose->pixels[i], camera_.view.camera, camera_.camera, camera_.settings);
+    auto view = cut_view(pyramid_, pose->pixels[i], camera_.view.camera, camera_.camera, camera_.settings);
     if (!view) continue;
     view->plane.facing = placement_.target->normal;
     view->plane.slope_cov.setZero();
@@ -93,7 +102,45 @@ void FeatureTracker::start_map(Estimate& estimate, const std::optional<TargetPos
   add_new_landmarks_to_keyframe();
 }
 
+void FeatureTracker::align(const Estimate& estimate, const AnyMotion& motion) {
+  camera_.guide.reset();
+  if (!sees_ || !before_ || small_before_.empty()) return;
+  if (small_rays_.empty()) small_rays_ = rays_of(small_, camera_.camera);
+  const CameraState now = viewpoint(estimate, camera_, motion).camera;
+  const Eigen::Matrix3d now_from_world = rotation_matrix<double>(free_camera::orientation(now)).transpose();
+  const Eigen::Matrix3d now_from_before =
+      now_from_world * rotation_matrix<double>(free_camera::orientation(*before_));
+  const Eigen::Vector3d moved = now_from_world *
+                                (free_camera::position(*before_) - free_camera::position(now)) /
+                                camera_.median_depth_m;
+  predicted_rays_.resize(small_rays_.size());
+  std::ranges::transform(small_rays_, predicted_rays_.begin(),
+                         [&](const Eigen::Vector3d& ray) -> Eigen::Vector3d {
+                           if (ray.z() == 0) return ray;
+                           return now_from_before * ray.normalized() + moved;
+                         });
+  const auto alignment = align_rotation(small_before_, small_, predicted_rays_, camera_.camera);
+  if (alignment) camera_.guide = alignment->rotation;
+}
+
+std::optional<double> FeatureTracker::unexpected_turn_rad() const {
+  constexpr double gate_sigmas = 2.5;
+  if (!camera_.guide) return std::nullopt;
+  int outside = 0;
+  for (const FeatureMatch& match : camera_.matches) {
+    const auto guided = guided_pixel(match, camera_);
+    if (!guided) continue;
+    const Eigen::Vector2d off = *guided - match.predicted;
+    outside += off.dot(match.innovation_cov.inverse() * off) > gate_sigmas * gate_sigmas;
+  }
+  if (2 * outside <= static_cast<int>(camera_.matches.size())) return std::nullopt;
+  return quaternion_log(quaternion_from_matrix(*camera_.guide)).norm();
+}
+
 void FeatureTracker::predict(const Estimate& estimate, const AnyMotion& motion) {
+  camera_.max_measurements =
+      std::min(camera_.settings.map.wanted_visible,
+               affordable_measurements(camera_.settings.search, estimate.belief.errors()));
   camera_.ray_matches.clear();
   camera_.ray_particles.clear();
   camera_.predicted = camera_.matched = 0;
@@ -102,11 +149,11 @@ void FeatureTracker::predict(const Estimate& estimate, const AnyMotion& motion) 
 }
 
 void FeatureTracker::search() {
-  if (sees_) active_search(summed_, camera_);
+  if (sees_) active_search(pyramid_, camera_);
 }
 
 void FeatureTracker::add_plane_uncertainty() {
-  if (sees_) incognita::add_plane_uncertainty(summed_.image(), camera_);
+  if (sees_) incognita::add_plane_uncertainty(pyramid_.image(), camera_);
 }
 
 void FeatureTracker::reject_outliers(const Estimate& estimate) {
@@ -136,21 +183,23 @@ void FeatureTracker::discard_matches() {
 
 void FeatureTracker::after_correction(const Estimate& estimate, const AnyMotion& motion) {
   camera_.view = viewpoint(estimate, camera_, motion);
+  if (sees_) before_ = camera_.view.camera;
+  update_median_depth();
   estimate_patch_planes(estimate, camera_);
   if (sees_ && camera_.settings.relocalization.whole_map)
-    describe_new_views(summed_.image(), estimate, camera_);
+    describe_new_views(pyramid_.image(), estimate, camera_);
 }
 
 std::optional<PoseEvidence> FeatureTracker::evidence_of_matches(const Estimate& estimate) const {
   if (!sees_ || camera_.matched == 0) return std::nullopt;
-  PoseEvidence evidence = gather_evidence(summed_, estimate, camera_);
+  PoseEvidence evidence = gather_evidence(pyramid_.summed(), estimate, camera_);
   if (!refusal_of(evidence, camera_.camera, camera_.settings).empty()) return std::nullopt;
   return evidence;
 }
 
 std::optional<PoseEvidence> FeatureTracker::find_in_map(const Estimate& estimate, double t) {
   if (!sees_) return std::nullopt;
-  return relocalization_.find(summed_, estimate, camera_, t);
+  return relocalization_.find(pyramid_.summed(), estimate, camera_, t);
 }
 
 void FeatureTracker::take_matches(PoseEvidence evidence, const Estimate& estimate) {
@@ -168,6 +217,17 @@ void FeatureTracker::take_matches(PoseEvidence evidence, const Estimate& estimat
   reject_outliers(estimate);
 }
 
+void FeatureTracker::update_median_depth() {
+  distances_.clear();
+  const Eigen::Vector3d from = free_camera::position(camera_.view.camera);
+  for (const FeatureMatch& match : camera_.matches)
+    if (match.outcome == MatchOutcome::matched) distances_.push_back((match.point - from).norm());
+  if (distances_.empty()) return;
+  const auto middle = distances_.begin() + static_cast<std::ptrdiff_t>(distances_.size() / 2);
+  std::nth_element(distances_.begin(), middle, distances_.end());
+  camera_.median_depth_m = *middle;
+}
+
 void FeatureTracker::count_frames_away() { incognita::count_frames_away(camera_); }
 
 void FeatureTracker::maintain_map(Estimate& estimate, const AnyMotion& motion) {
@@ -180,7 +240,7 @@ void FeatureTracker::maintain_map(Estimate& estimate, const AnyMotion& motion) {
     return;
   }
   simplify_landmarks(estimate, camera_);
-  update_depth_lines(summed_, estimate, camera_);
+  update_depth_lines(pyramid_.summed(), estimate, camera_);
   add_landmarks(estimate);
   delete_bad_landmarks(estimate, camera_);
 }
@@ -229,20 +289,32 @@ void FeatureTracker::maintain_keyframes(Estimate& estimate, const AnyMotion& mot
 
 void FeatureTracker::forget_depth_lines(Estimate& estimate) { drop_depth_lines(estimate, camera_); }
 
-void FeatureTracker::add_landmarks(Estimate& estimate) {
-  const InitializationSettings& initialization = camera_.settings.initialization;
+FeatureTracker::NewLandmarks FeatureTracker::new_landmarks(const Estimate& estimate) const {
   const int visible = static_cast<int>(std::lround(expected_matches(camera_)));
   int rays = 0, mapped = 0;
   for_each_feature(estimate, camera_.features, [&](const Landmark& landmark, const Feature&) {
     rays += landmark.form.kind == LandmarkParametrization::Kind::ray;
     mapped += landmark.mapped();
   });
-  for (int i = 0; i < initialization.max_new_per_frame; ++i) {
-    if (visible + rays + i >= camera_.settings.map.wanted_visible) return;
-    if (mapped + rays >= camera_.settings.map.max_landmarks) return;
-    const auto corner = find_new_corner(summed_.image(), estimate, camera_, random_);
-    if (!corner || !initialize_from_image(summed_.image(), *corner, estimate, camera_)) return;
-    if (initialization.method == InitializationSettings::Method::inverse_depth) ++mapped;
+  return {std::min(camera_.settings.initialization.max_new_per_frame,
+                   camera_.settings.map.wanted_visible - visible - rays),
+          camera_.settings.map.max_landmarks - mapped - rays};
+}
+
+void FeatureTracker::add_landmarks(Estimate& estimate) {
+  auto [wanted, possible] = new_landmarks(estimate);
+  if (wanted > possible && camera_.settings.map.replace_when_full)
+    possible += delete_least_matched(estimate, camera_, wanted - possible);
+  wanted = std::min(wanted, possible);
+  if (wanted <= 0) return;
+  if (camera_.settings.initialization.selection == InitializationSettings::Selection::grid) {
+    for (const Eigen::Vector2d& corner : find_new_corners(pyramid_.image(), estimate, camera_, wanted))
+      initialize_from_image(pyramid_, corner, estimate, camera_);
+    return;
+  }
+  for (int i = 0; i < wanted; ++i) {
+    const auto corner = find_new_corner(pyramid_.image(), estimate, camera_, random_);
+    if (!corner || !initialize_from_image(pyramid_, *corner, estimate, camera_)) return;
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "incognita/math/random.hpp"
 #include "incognita/slam/bundle/keyframes.hpp"
+#include "incognita/slam/features/align_rotation.hpp"
 #include "incognita/slam/features/feature.hpp"
 #include "incognita/slam/features/relocalization.hpp"
 #include "incognita/slam/features/target.hpp"
@@ -51,14 +52,18 @@ class FeatureTracker {
   /// Adds the corners of the target that was found, and the first landmarks of the image.
   void start_map(Estimate& estimate, const std::optional<TargetPose>& pose, const AnyMotion& motion);
 
+  /// Aligns the image with the one before, from the predicted motion, to guide the search.
+  void align(const Estimate& estimate, const AnyMotion& motion);
   /// Predicts the features in view from the current estimate.
   void predict(const Estimate& estimate, const AnyMotion& motion);
+  /// Angle by which the whole image turned beyond the prediction, rad, if most features are then expected outside of their
+  /// search ellipses; nothing otherwise.
+  std::optional<double> unexpected_turn_rad() const;
   /// Searches for the predicted features.
   void search();
   /// Adds the noise of patches whose plane is not known yet.
   void add_plane_uncertainty();
   void reject_outliers(const Estimate& estimate);
-
   /// The inliers, linearized at the prediction.
   void append_measurements(const Estimate& estimate, std::vector<LinearizedMeasurement>& measurements) const;
   /// The same, linearized at the current means; without parts where a measurement is not defined.
@@ -97,15 +102,25 @@ class FeatureTracker {
   int matched() const { return camera_.matched; }
 
  private:
+  /// Landmarks that are wanted in this frame, and for which the map has room.
+  struct NewLandmarks {
+    int wanted = 0, possible = 0;
+  };
+  NewLandmarks new_landmarks(const Estimate& estimate) const;
   void add_landmarks(Estimate& estimate);
   void maintain_keyframes(Estimate& estimate, const AnyMotion& motion);
   void add_new_landmarks_to_keyframe();
+  void update_median_depth();
 
   TrackedCamera camera_;
   CameraPlacement placement_;
   Keyframes keyframes_;
   Relocalization relocalization_;
-  SummedImage summed_;
+  ImagePyramid pyramid_;
+  SmallImage small_, small_before_;
+  std::vector<Eigen::Vector3d> small_rays_, predicted_rays_;
+  std::optional<CameraState> before_;  ///< when small_before_ was taken
+  std::vector<double> distances_;      ///< workspace
   bool sees_ = false;
   bool has_map_ = false;  ///< since start_map()
   RandomStream random_;

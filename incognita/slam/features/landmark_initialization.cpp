@@ -1,6 +1,7 @@
 #include "incognita/slam/features/landmark_initialization.hpp"
 #include "incognita/slam/mapper/landmarks.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace incognita {
@@ -16,14 +17,34 @@ bool near_any_match(const std::vector<Eigen::Vector2d>& measurements, const Pixe
   return false;
 }
 
-/// Whether a corner of unknown depth stays in view over the look-ahead time, for any depth on its ray.
-bool stays_in_view(const Eigen::Vector2d& pixel, const Camera& camera, const CameraState& now,
-                   const InitializationSettings& initialization) {
+/// The look-ahead time, less where the image moves fast: by at most a quarter of the field of view.
+double look_ahead_s(const Camera& camera, const CameraState& now, double median_depth_m,
+                    const InitializationSettings& initialization) {
+  constexpr double most_share = 0.25;
+  const double middle = camera.height() / 2.0;
+  const auto left = camera.unproject({0, middle}), right = camera.unproject({camera.width() - 1.0, middle});
+  const double rate =
+      free_camera::angular_rate(now).norm() + free_camera::velocity(now).norm() / median_depth_m;
+  if (!left || !right || rate == 0) return initialization.look_ahead_s;
+  const double field_rad = std::acos(left->normalized().dot(right->normalized()));
+  return std::min(initialization.look_ahead_s, most_share * field_rad / rate);
+}
+
+/// Whether a corner of unknown depth stays in view over the look-ahead time, at half to four times the median depth.
+bool stays_in_view(const Eigen::Vector2d& pixel, const TrackedCamera& tracked) {
+  const Camera& camera = tracked.camera;
+  const CameraState& now = tracked.view.camera;
+  const InitializationSettings& initialization = tracked.settings.initialization;
+  // Appendix C places boxes at random and looks ahead for a fixed time and range of depths
+  const bool as_in_thesis = initialization.selection == InitializationSettings::Selection::random_box;
+  const double nearest_m = as_in_thesis ? initialization.min_depth_m : 0.5 * tracked.median_depth_m;
+  const double farthest_m = as_in_thesis ? initialization.max_depth_m : 4 * tracked.median_depth_m;
+  const double time_s = as_in_thesis ? initialization.look_ahead_s
+                                     : look_ahead_s(camera, now, tracked.median_depth_m, initialization);
   const auto ray = camera.unproject(pixel);
   if (!ray) return false;
-  const CameraState later =
-      FreeCameraMotion{}.f<double>(now, Eigen::Matrix<double, 6, 1>::Zero(), initialization.look_ahead_s);
-  for (const double depth : {initialization.min_depth_m, initialization.max_depth_m}) {
+  const CameraState later = FreeCameraMotion{}.f<double>(now, Eigen::Matrix<double, 6, 1>::Zero(), time_s);
+  for (const double depth : {nearest_m, farthest_m}) {
     const Eigen::Vector3d point =
         Eigen::Vector3d(free_camera::position(now)) +
         rotation_matrix<double>(free_camera::orientation(now)) * ray->normalized() * depth;
@@ -63,17 +84,75 @@ std::vector<Eigen::Vector2d> occupied_pixels(const Estimate& estimate, const Tra
 
 }  // namespace
 
-std::optional<PatchView> cut_view(const Image& image, const Eigen::Vector2d& pixel, const CameraState& from,
-                                  const Camera& camera, const CameraSlamSettings& settings) {
-  const int size = settings.search.patch_size_px;
-  auto texture = cut_texture(image, pixel, 2 * size + 5, size / 2 + 1);
+std::optional<PatchView> cut_view(const ImagePyramid& image, const Eigen::Vector2d& pixel,
+                                  const CameraState& from, const Camera& camera,
+                                  const CameraSlamSettings& settings) {
+  const int size = settings.search.patch_size_px, side = 2 * size + 5, core = size / 2 + 1;
+  auto texture = cut_texture(image.image(), pixel, side, core);
   const auto ray = camera.unproject(pixel);
   if (!texture || !ray) return std::nullopt;
-  PatchView view{*std::move(texture), pixel, free_camera::position(from), free_camera::orientation(from), {}};
+  PatchView view{
+      *std::move(texture), {}, pixel, free_camera::position(from), free_camera::orientation(from), {}};
+  for (int level = 1; level < image.levels(); ++level) {
+    auto coarse = cut_texture(image.image(level), at_level(pixel, level), side, core);
+    if (!coarse) break;
+    view.coarse.push_back(*std::move(coarse));
+  }
   view.plane.facing = -(rotation_matrix(view.world_from_camera) * ray->normalized());
   view.plane.slope_cov = std::pow(settings.initialization.sigma_slope, 2) * Eigen::Matrix2d::Identity();
   view.plane.estimated_from = view.camera_position;
   return view;
+}
+
+namespace {
+
+/// The center of a patch at a corner; nothing if it is on a landmark, or soon out of view.
+std::optional<Eigen::Vector2d> patch_center(const Image& image, const Corner& corner,
+                                            const TrackedCamera& camera,
+                                            const std::vector<Eigen::Vector2d>& taken, int min_distance_px) {
+  const InitializationSettings& initialization = camera.settings.initialization;
+  if (corner.strength < initialization.min_corner_strength) return std::nullopt;
+  std::optional<Eigen::Vector2d> center(std::in_place, corner.u, corner.v);
+  if (initialization.center == InitializationSettings::Center::edges)
+    center = center_of_corner(image, *center, camera.settings.search.patch_size_px);
+  if (!center || !stays_in_view(*center, camera)) return std::nullopt;
+  // The center may lie outside the box, on a corner that is already mapped
+  const PixelBox there{static_cast<int>(std::lround(center->x())), static_cast<int>(std::lround(center->y())),
+                       1, 1};
+  if (near_any_match(taken, there, min_distance_px)) return std::nullopt;
+  return center;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> find_new_corners(const Image& image, const Estimate& estimate,
+                                              const TrackedCamera& camera, int count) {
+  constexpr double cells_per_landmark = 2;
+  const int patch = camera.settings.search.patch_size_px, rim = patch + 2;
+  const int width = image.width() - 2 * rim, height = image.height() - 2 * rim;
+  if (width < 1 || height < 1) return {};
+  std::vector<Eigen::Vector2d> taken = occupied_pixels(estimate, camera), found;
+  const double cells = cells_per_landmark * std::max(1, camera.settings.map.wanted_visible);
+  const int side = std::max(patch + 4, static_cast<int>(std::sqrt(width * height / cells)));
+  thread_local CornerMap map;
+  map.assign(image, patch);
+  std::vector<Corner> corners;
+  for (int v = rim; v < rim + height; v += side)
+    for (int u = rim; u < rim + width; u += side) {
+      const PixelBox cell{u, v, std::min(side, rim + width - u), std::min(side, rim + height - v)};
+      if (near_any_match(taken, cell, 0)) continue;
+      if (const auto corner = map.strongest(cell)) corners.push_back(*corner);
+    }
+  std::stable_sort(corners.begin(), corners.end(),
+                   [](const Corner& a, const Corner& b) { return a.strength > b.strength; });
+  for (const Corner& corner : corners) {
+    if (static_cast<int>(found.size()) == count) break;
+    const auto center = patch_center(image, corner, camera, taken, patch);
+    if (!center) continue;
+    found.push_back(*center);
+    taken.push_back(*center);
+  }
+  return found;
 }
 
 std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimate& estimate,
@@ -90,15 +169,8 @@ std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimat
                        rim + random.below(image.height() - 2 * rim - height + 1), width, height};
     if (near_any_match(taken, box, patch / 2)) continue;
     const auto corner = strongest_corner(image, box, patch);
-    if (!corner || corner->strength < initialization.min_corner_strength) continue;
-    std::optional<Eigen::Vector2d> center(std::in_place, corner->u, corner->v);
-    if (initialization.center == InitializationSettings::Center::edges)
-      center = center_of_corner(image, *center, patch);
-    if (!center || !stays_in_view(*center, camera.camera, camera.view.camera, initialization)) continue;
-    // The center may lie outside the box, on a corner that is already mapped
-    const PixelBox there{static_cast<int>(std::lround(center->x())),
-                         static_cast<int>(std::lround(center->y())), 1, 1};
-    if (!near_any_match(taken, there, patch / 2)) return center;
+    if (!corner) continue;
+    if (const auto center = patch_center(image, *corner, camera, taken, patch / 2)) return center;
   }
   return std::nullopt;
 }
@@ -121,7 +193,7 @@ NewLandmark on_ray(const InverseDepthLandmark::Initialization& initialized, cons
 
 }  // namespace
 
-bool initialize_from_image(const Image& image, const Eigen::Vector2d& pixel, Estimate& estimate,
+bool initialize_from_image(const ImagePyramid& image, const Eigen::Vector2d& pixel, Estimate& estimate,
                            TrackedCamera& camera) {
   const InitializationSettings& initialization = camera.settings.initialization;
   auto view = cut_view(image, pixel, camera.view.camera, camera.camera, camera.settings);

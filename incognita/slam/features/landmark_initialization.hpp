@@ -12,16 +12,22 @@ namespace incognita {
 std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimate& estimate,
                                                const TrackedCamera& camera, RandomStream& random);
 
+/// The strongest corners of the cells of a grid over the image that contain no predicted landmark, at most `count`, strongest
+/// first; each as find_new_corner() would accept it.
+std::vector<Eigen::Vector2d> find_new_corners(const Image& image, const Estimate& estimate,
+                                              const TrackedCamera& camera, int count);
+
 /// Adds a landmark at a pixel of this image, as an inverse-depth landmark or as a ray with depth hypotheses,
 /// according to the settings. False when no patch can be cut or no ray maps to the pixel.
-bool initialize_from_image(const Image& image, const Eigen::Vector2d& pixel, Estimate& estimate,
+bool initialize_from_image(const ImagePyramid& image, const Eigen::Vector2d& pixel, Estimate& estimate,
                            TrackedCamera& camera);
 
 /// Adds a landmark at a known position (world, m), with its appearance.
 void add_anchor(const Eigen::Vector3d& position, PatchView view, Estimate& estimate, TrackedCamera& camera);
 
 /// The patch around a pixel with the view it is seen from; its assumed normal faces the camera.
-std::optional<PatchView> cut_view(const Image& image, const Eigen::Vector2d& pixel, const CameraState& from,
-                                  const Camera& camera, const CameraSlamSettings& settings);
+std::optional<PatchView> cut_view(const ImagePyramid& image, const Eigen::Vector2d& pixel,
+                                  const CameraState& from, const Camera& camera,
+                                  const CameraSlamSettings& settings);
 
 }  // namespace incognita

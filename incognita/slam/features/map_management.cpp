@@ -1,6 +1,8 @@
 #include "incognita/slam/features/map_management.hpp"
 
 #include <algorithm>
+#include <set>
+#include <vector>
 
 #include "incognita/slam/features/each_feature.hpp"
 #include "incognita/slam/mapper/landmarks.hpp"
@@ -64,6 +66,20 @@ void delete_bad_landmarks(Estimate& estimate, TrackedCamera& camera) {
     if (is_rarely_matched(landmark, feature, settings) || beyond_infinity)
       remove_landmark(estimate, camera, landmark.id);
   });
+}
+
+int delete_least_matched(Estimate& estimate, TrackedCamera& camera, int count) {
+  std::vector<std::pair<int, std::int64_t>> candidates;  // number of matches, id
+  std::set<std::int64_t> in_view;
+  for (const FeatureMatch& match : camera.matches) in_view.insert(match.id);
+  for_each_feature(estimate, camera.features, [&](const Landmark& landmark, const Feature&) {
+    if (landmark.mapped() && !in_view.contains(landmark.id))
+      candidates.emplace_back(landmark.detection_count, landmark.id);
+  });
+  const auto deleted = std::min(candidates.size(), static_cast<std::size_t>(std::max(0, count)));
+  std::ranges::partial_sort(candidates, candidates.begin() + static_cast<std::ptrdiff_t>(deleted));
+  for (std::size_t i = 0; i < deleted; ++i) remove_landmark(estimate, camera, candidates[i].second);
+  return static_cast<int>(deleted);
 }
 
 void simplify_landmarks(Estimate& estimate, const TrackedCamera& camera) {

@@ -24,6 +24,10 @@ double expected_matches(const TrackedCamera& camera);
 /// MapSettings::memory_attempts, of the recent ones), and inverse-depth landmarks of negative depth.
 void delete_bad_landmarks(Estimate& estimate, TrackedCamera& camera);
 
+/// Deletes up to `count` landmarks that are out of view, those with the fewest matches first: they are the least likely to be
+/// recognized. Returns their number.
+int delete_least_matched(Estimate& estimate, TrackedCamera& camera, int count);
+
 /// Converts inverse-depth landmarks of small linearity index (Civera) to points.
 void simplify_landmarks(Estimate& estimate, const TrackedCamera& camera);
 

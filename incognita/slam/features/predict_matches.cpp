@@ -73,6 +73,7 @@ std::optional<FeatureMatch> predict_pixel(const Landmark& landmark, const AnyBel
     match.predicted = prediction->pixel;
     match.Hv = prediction->Hv;
     match.Hl = prediction->Hl;
+    match.by_parallax = prediction->by_parallax;
   } else {
     const Eigen::Vector3d point =
         landmark.fixed ? Eigen::Vector3d(landmark.position) : Eigen::Vector3d(belief.mean(landmark.block));
@@ -102,6 +103,10 @@ std::optional<FeatureMatch> predict_match(const Landmark& landmark, const PatchV
   return match;
 }
 
+double match_var(const FeatureMatch& match, const TrackedCamera& camera) {
+  return camera.pixel_var() * static_cast<double>(1 << (2 * match.level));
+}
+
 LinearizedMeasurement linearized_measurement(const FeatureMatch& match, const Landmark& landmark,
                                              const TrackedCamera& camera) {
   LinearizedMeasurement measurement;
@@ -109,7 +114,8 @@ LinearizedMeasurement linearized_measurement(const FeatureMatch& match, const La
   if (!landmark.fixed) measurement.add(landmark.block, match.Hl);
   measurement.residual = Eigen::Vector2d::Zero();
   if (match.measured) measurement.residual = *match.measured - match.predicted;
-  measurement.R = camera.pixel_var() * Eigen::Matrix2d::Identity() + match.plane_cov;
+  measurement.R =
+      match_var(match, camera) * Eigen::Matrix2d::Identity() + match.plane_cov + match.second_order_cov;
   return measurement;
 }
 
@@ -126,6 +132,32 @@ LinearizedMeasurement relinearized_measurement(const FeatureMatch& match, const 
   return linearized_measurement(again, landmark, camera);
 }
 
+namespace {
+
+/// The product of the errors of the inverse depth rho and of the baseline b, from the camera to the initial position, which
+/// linearization leaves out: while a camera hardly moved its measurements seem not to depend on the depth at all. Its mean,
+/// cov(b, rho), shifts the prediction; its covariance, var(rho) cov(b) + cov(b, rho) cov(b, rho)', is noise
+/// (second-order filter: Bar-Shalom, Li, Kirubarajan 2001, Section 10.3.2).
+void add_second_order(FeatureMatch& match, const Landmark& landmark, const AnyBelief& belief,
+                      const Viewpoint& view) {
+  if (landmark.fixed || landmark.form.kind != LandmarkParametrization::Kind::inverse_depth) return;
+  const BlockMatrix own = belief.covariance(landmark.block), body = belief.covariance(view.body);
+  const BlockMatrix cross = belief.covariance(landmark.block, view.body);
+  const SmallMatrix position = view.by_body.size() == 0 ? SmallMatrix(SmallMatrix::Identity(3, body.rows()))
+                                                        : SmallMatrix(view.by_body.topRows(3));
+  const Eigen::Matrix<double, 6, 3> to_camera = cross * position.transpose();
+  const Eigen::Matrix3d mixed = to_camera.topRows<3>();
+  const Eigen::Matrix3d baseline_cov =
+      own.topLeftCorner<3, 3>() + position * body * position.transpose() - mixed - mixed.transpose();
+  const Eigen::Vector3d with_depth = own.block<3, 1>(0, 5) - to_camera.row(5).transpose();
+  const Eigen::Vector2d shift = match.by_parallax * with_depth;
+  match.predicted += shift;
+  match.second_order_cov = own(5, 5) * match.by_parallax * baseline_cov * match.by_parallax.transpose() +
+                           shift * shift.transpose();
+}
+
+}  // namespace
+
 void predict_matches(const Estimate& estimate, TrackedCamera& camera) {
   camera.matches.clear();
   Eigen::MatrixXd S(2, 2);
@@ -134,6 +166,8 @@ void predict_matches(const Estimate& estimate, TrackedCamera& camera) {
     auto match = predict_match(landmark, feature.view, estimate.belief, camera.camera, camera.view.camera,
                                camera.settings);
     if (!match) return;
+    if (camera.settings.initialization.second_order)
+      add_second_order(*match, landmark, estimate.belief, camera.view);
     const LinearizedMeasurement measurement = linearized_measurement(*match, landmark, camera);
     estimate.belief.innovation_covariance({&measurement, 1}, S);
     match->innovation_cov = S;

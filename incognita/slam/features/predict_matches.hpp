@@ -21,6 +21,9 @@ std::optional<FeatureMatch> predict_match(const Landmark& landmark, const PatchV
                                           const AnyBelief& belief, const Camera& camera,
                                           const CameraState& from, const CameraSlamSettings& settings);
 
+/// Variance of a match per axis, px^2, without that of its unknown plane.
+double match_var(const FeatureMatch& match, const TrackedCamera& camera);
+
 /// The linearized measurement, two rows, with zero residual before a match; blocks of the body and the landmark.
 LinearizedMeasurement linearized_measurement(const FeatureMatch& match, const Landmark& landmark,
                                              const TrackedCamera& camera);

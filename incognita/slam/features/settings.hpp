@@ -9,11 +9,11 @@
 namespace incognita {
 
 struct FilterSettings {
-  double sigma_acceleration_m_s2 = 1.0;
-  double sigma_angular_acceleration_rad_s2 = 1.0;
-  double sigma_pixel_px = 1.0;
-  double sigma_start_velocity_m_s = 0.2;
-  double sigma_start_angular_rate_rad_s = 0.2;
+  double sigma_acceleration_m_s2 = 4;  // of a hand
+  double sigma_angular_acceleration_rad_s2 = 6;
+  double sigma_pixel_px = 0.5;
+  double sigma_start_velocity_m_s = 1;  // it may move when it starts
+  double sigma_start_angular_rate_rad_s = 1;
   bool odometry = false;
   double sigma_slip_m_s = 0.02;
 
@@ -42,7 +42,10 @@ struct SearchSettings {
   int patch_size_px = 11;
   double gate_sigmas = 3.0;
   double min_correlation = 0.8;
-  int max_measurements = 12;
+  int max_measurements = 0;
+  double budget_ms = 20;
+  bool align_images = true;
+  int levels = 4;
   double max_half_axis_px = 60;
   double gate_probability = 0.99;
   double max_unconfirmed_sigma_px = 8;
@@ -56,8 +59,18 @@ struct SearchSettings {
             "Half axes of the search ellipse in standard deviations of the innovation");
     setting(&S::min_correlation, "min_correlation", "", between(-1, 1),
             "Normalized cross-correlation below which a candidate is no match");
-    setting(&S::max_measurements, "max_measurements", "", between(1, 10000),
-            "Number of features searched per frame, the most uncertain first");
+    setting(
+        &S::max_measurements, "max_measurements", "", between(0, 10000),
+        "Number of features searched per frame, the most uncertain first; 0: map.wanted_visible, or fewer where "
+        "they exceed budget_ms");
+    setting(
+        &S::budget_ms, "budget_ms", "ms", above_up_to(0, 1e5),
+        "Time per frame for matching and correction, of one core at 20 Gflop/s, that limits the features searched");
+    setting(&S::align_images, "align_images", "", any(),
+            "Whether successive images are aligned as a whole before features are searched for");
+    setting(
+        &S::levels, "levels", "", between(1, 4),
+        "Resolutions at which large ellipses and blurred images are searched, each half of the one before");
     setting(&S::max_half_axis_px, "max_half_axis_px", "px", above_up_to(0, 16384),
             "Limit of the search in u and in v, from the center of the ellipse");
     setting(&S::gate_probability, "gate_probability", "", between(0.5, 0.999999),
@@ -71,15 +84,20 @@ struct InitializationSettings {
   enum class Method { inverse_depth, depth_line };
   /// Center of a patch: the intersection of its edges, or the maximum of the corner strength.
   enum class Center { edges, peak };
+  enum class Selection {
+    grid,       ///< the strongest corners of cells without a feature, over the whole image
+    random_box  ///< the strongest corner of a box placed at random, thesis C.3
+  };
 
   Method method = Method::inverse_depth;
   int box_width_px = 80;
   int box_height_px = 60;
-  double min_corner_strength = 30;
+  double min_corner_strength = 8;
   Center center = Center::edges;
+  Selection selection = Selection::grid;
   double look_ahead_s = 0.5;
   double sigma_slope = 0.7;
-  int max_new_per_frame = 1;
+  int max_new_per_frame = 10;
   int particles = 100;
   double min_depth_m = 0.5;
   double max_depth_m = 5.0;
@@ -88,6 +106,7 @@ struct InitializationSettings {
   double inverse_depth_per_m = 0.5;
   double sigma_inverse_depth_per_m = 0.5;
   double max_linearity = 0.1;
+  bool second_order = true;
 
   static void describe(auto&& setting) {
     using namespace limits;
@@ -101,6 +120,9 @@ struct InitializationSettings {
             "Smaller eigenvalue of the structure tensor that a new feature needs");
     setting(&S::center, "center", "", any(),
             "Center of a patch: intersection of its edges, or maximum of the corner strength");
+    setting(
+        &S::selection, "selection", "", any(),
+        "Choice of new features: strongest corners of a grid without features, or of a box placed at random");
     setting(&S::look_ahead_s, "look_ahead_s", "s", between(0, 100),
             "Time for which a new feature must be predicted to stay in view");
     setting(
@@ -121,24 +143,33 @@ struct InitializationSettings {
             "Prior standard deviation of the inverse depth");
     setting(&S::max_linearity, "max_linearity", "", between(0, 10),
             "Linearity index (Civera et al. 2008) below which an inverse depth becomes a point");
+    setting(
+        &S::second_order, "second_order", "", any(),
+        "Whether the product of the errors of inverse depth and camera position counts as measurement noise");
   }
 };
 
 struct MapSettings {
-  int wanted_visible = 12;
-  int max_landmarks = 200;
+  int wanted_visible = 0;
+  int max_landmarks = 500;
+  bool replace_when_full = true;
   double max_view_angle_rad = 0.7;
   double max_scale = 1.8;
   int min_attempts = 10;
   double min_matched_share = 0.5;
-  int memory_attempts = 0;
+  int memory_attempts = 10;
 
   static void describe(auto&& setting) {
     using namespace limits;
     using S = MapSettings;
-    setting(&S::wanted_visible, "wanted_visible", "", between(0, 10000),
-            "Number of landmarks predicted in view below which new ones are initialized");
+    setting(
+        &S::wanted_visible, "wanted_visible", "", between(0, 10000),
+        "Number of landmarks expected to match below which new ones are initialized; 0: by the size of the image, 60 "
+        "at 640x480");
     setting(&S::max_landmarks, "max_landmarks", "", between(1, 10000), "Limit of the number of landmarks");
+    setting(
+        &S::replace_when_full, "replace_when_full", "", any(),
+        "Whether a full map deletes landmarks out of view for new ones, those with the fewest matches first");
     setting(&S::max_view_angle_rad, "max_view_angle_rad", "rad", above_up_to(0, 3.2),
             "Angle to the initial viewing direction beyond which no match is predicted");
     setting(&S::max_scale, "max_scale", "", above_up_to(1, 100),

@@ -43,7 +43,9 @@ void validate(const SearchSettings& s) {
   need_positive("search.gate_sigmas", s.gate_sigmas);
   need(s.min_correlation >= -1 && s.min_correlation <= 1, "search.min_correlation", s.min_correlation,
        "-1 to 1");
-  need_at_least("search.max_measurements", s.max_measurements, 1, "1 or more");
+  need_at_least("search.max_measurements", s.max_measurements, 0, "0 or more");
+  need_positive("search.budget_ms", s.budget_ms);
+  need(s.levels >= 1 && s.levels <= 4, "search.levels", s.levels, "1 to 4");
   need_positive("search.max_half_axis_px", s.max_half_axis_px);
   need(s.gate_probability > 0 && s.gate_probability < 1, "search.gate_probability", s.gate_probability,
        "more than 0 and less than 1");

@@ -15,6 +15,11 @@ namespace incognita {
 void predict_body(Estimate& estimate, std::size_t which, const SmallVector& commanded,
                   const BodyObservation& observed, const Tick& tick, const EstimatorSettings& settings);
 
+/// Adds to the prediction of a free camera over the last `dt` seconds the uncertainty of further accelerations, held over
+/// them: m/s^2 and rad/s^2 per axis.
+void add_acceleration_noise(Estimate& estimate, std::size_t which, double sigma_m_s2, double sigma_rad_s2,
+                            double dt);
+
 /// Corrects a free camera with a wheel reading of its carrier: speed (m/s) and turn rate (rad/s, positive to the
 /// left), means over the tick.
 UpdateReport update_with_wheel_odometry(AnyBelief& belief, BlockId camera, const WheelOdometry& odometry,

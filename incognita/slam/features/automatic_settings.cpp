@@ -1,0 +1,28 @@
+#include "incognita/slam/features/automatic_settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace incognita {
+
+CameraSlamSettings with_automatic(CameraSlamSettings settings, const Camera& camera) {
+  // 83 matches per frame track as well as 300 at 640x480, and 44 do not: so many corners 70 pixels apart
+  constexpr double at_vga = 60, vga_px = 640.0 * 480.0, fewest = 30, most = 80;
+  int& wanted = settings.map.wanted_visible;
+  const double share = std::sqrt(static_cast<double>(camera.width()) * camera.height() / vga_px);
+  if (wanted == 0)
+    wanted = std::min(static_cast<int>(std::lround(std::clamp(at_vga * share, fewest, most))),
+                      settings.map.max_landmarks);
+  return settings;
+}
+
+int affordable_measurements(const SearchSettings& settings, int errors) {
+  // Measured on one core, bench/slam_bench: search, planes and consensus of one feature; an update of two rows is
+  // 2 errors^2 operations on one triangle
+  constexpr double feature_ms = 0.06, operations_per_ms = 20e6;
+  constexpr int fewest = 10;
+  const double update_ms = 2.0 * errors * errors / operations_per_ms;
+  return std::max(fewest, static_cast<int>(settings.budget_ms / (feature_ms + update_ms)));
+}
+
+}  // namespace incognita

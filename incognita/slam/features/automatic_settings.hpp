@@ -1,0 +1,16 @@
+// Settings that follow from the image and from the size of the map.
+#pragma once
+
+#include "incognita/models/sensors/camera.hpp"
+#include "incognita/slam/features/settings.hpp"
+
+namespace incognita {
+
+/// The settings with values in place of zeros that mean "automatic", for images of this camera.
+CameraSlamSettings with_automatic(CameraSlamSettings settings, const Camera& camera);
+
+/// Number of features whose search and correction fit into SearchSettings::budget_ms, at least 10, by a model of the time and
+/// not by a clock, so that the same images give the same estimate. `errors`: size of the state.
+int affordable_measurements(const SearchSettings& settings, int errors);
+
+}  // namespace incognita

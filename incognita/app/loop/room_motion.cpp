@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -80,13 +81,15 @@ void check_gaps(const LoadedScenario& loaded, const std::vector<TimedPose>& samp
     if (to <= used.first_s || from >= used.last_s || to - from <= longest_gap_s) continue;
     const double begin = samples.front().t;
     const Part longest = longest_part(samples);
+    // Rounded into the part, or the suggestion would be refused in turn
+    const double start_s = std::ceil(100 * (longest.first_s - begin)) / 100;
+    const double duration_s = std::floor(100 * (longest.last_s - begin - start_s)) / 100;
     refuse(
         loaded, "motion.file",
         fmt::format(
             "has no pose from {:.2f} s to {:.2f} s after its start, and may have gaps of {} s at most; use "
             "another part, e.g. the longest without a gap: motion.start_s = {:.2f}, run.duration_s = {:.2f}",
-            from - begin, to - begin, longest_gap_s, longest.first_s - begin,
-            longest.last_s - longest.first_s));
+            from - begin, to - begin, longest_gap_s, start_s, duration_s));
   }
 }
 

@@ -29,7 +29,7 @@ void measure(benchmark::State& state) {
 }
 BENCHMARK(measure)->Unit(benchmark::kMillisecond);
 
-/// The same at 640x480 with a rolling shutter and an exposure of so many ms: a hand that turns by 0.9 rad/s.
+/// The same at 640x480 with a rolling shutter and an exposure of the given ms: a hand that turns by 0.9 rad/s.
 void measure_blurred(benchmark::State& state) {
   RoomSettings settings;
   settings.texel_m = 0.002;

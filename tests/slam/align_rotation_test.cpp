@@ -103,7 +103,7 @@ TEST(CoarseSearch, TheAlignmentGuidesIt) {
   EXPECT_GT(scene.found(4), 0.9);
 }
 
-/// The mean of the 15 images of a camera that turns by so many pixels.
+/// The mean of the 15 images of a camera that turns by `blur_px` in the middle of the image.
 Image blurred(double blur_px) {
   constexpr int images = 15;
   const double blur_rad = blur_px / 195.0;

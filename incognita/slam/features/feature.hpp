@@ -70,7 +70,8 @@ struct FeatureMatch {
   double expected_information = 0;                       ///< nats, of a search; it orders them
   CameraJacobian Hv;                                     ///< d(pixel) / d(camera error)
   Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 6> Hl;  ///< no columns for anchors
-  Eigen::Matrix<double, 2, 3> by_parallax;  ///< InverseDepthLandmark::Prediction; zero for points
+  /// InverseDepthLandmark::Prediction; zero for points
+  Eigen::Matrix<double, 2, 3> by_parallax = Eigen::Matrix<double, 2, 3>::Zero();
   Eigen::Matrix2d second_order_cov = Eigen::Matrix2d::Zero();  ///< px^2: what the linearization leaves out
   Eigen::Vector3d point;                                       ///< world, m: position assumed for the warp
   Eigen::Matrix2d texture_from_view;  ///< local map from pixels of this view to pixels of the texture

@@ -22,7 +22,7 @@ struct PointMatch {
   Eigen::Vector3d first_view{0, 0, 0};  ///< camera position from which it can be recognized, world, m
   /// No other pixel looks like this landmark, and no other landmark like this pixel.
   bool is_distinctive = false;
-  /// The pose of the camera as far as a single match tells it: by the orientation and the scale of the patch. Nothing:
+  /// The pose of the camera from a single match: by the orientation and the scale of the patch. Nothing:
   /// any. Wrong by the change of the viewing direction.
   std::optional<CameraState> expected = {};
 };

@@ -61,6 +61,14 @@ TEST(PlaceMotion, StaysClearOfWallsAndBoxes) {
       }
 }
 
+TEST(PlaceMotion, StaysFartherAwayWhereThereIsSpace) {
+  const RoomLayout layout = room_layout(RoomSettings{.boxes = 0}, 1);
+  const MotionPlacement placement = place_motion(circle(0.5), layout, clearance_m, {{2.8, 0, 1.3}, 0});
+  EXPECT_EQ(placement.scale, 1);
+  for (const TimedPose& pose : circle(0.5))
+    EXPECT_LE(outside(layout.inside, placement.of(pose).pose.position), -0.4 - clearance_m);
+}
+
 TEST(PlaceMotion, ReturnsAShapeThatIsOnlyScaledAndTurned) {
   const std::vector<TimedPose> motion = circle(9);
   const MotionPlacement placement = place_motion(motion, room_layout(RoomSettings{}, 2), clearance_m, {});

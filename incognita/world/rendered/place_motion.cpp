@@ -16,6 +16,8 @@ using Eigen::Vector3d;
 constexpr double step_m = 0.1;    // between the starts that are tried
 constexpr double smaller = 0.95;  // ratio of the scales that are tried
 constexpr double least_scale = 0.05;
+/// Beyond the clearance, in the order in which they are tried: real cameras seldom come as near to walls as they could.
+constexpr double further_away_m[] = {0.45, 0.2, 0};
 
 Eigen::Vector4d about_vertical(double turn_rad) { return quaternion_exp<double>(Vector3d(0, 0, turn_rad)); }
 
@@ -39,6 +41,12 @@ struct Search {
   Box inside;
   std::vector<Box> boxes;
   std::vector<Vector3d> way;
+
+  void keep_away(const RoomLayout& layout, double clearance_m) {
+    inside = layout.inside.grown(-clearance_m);
+    boxes.clear();
+    for (const Box& box : layout.boxes) boxes.push_back(box.grown(clearance_m));
+  }
 
   bool is_free(const Vector3d& start, double scale) const {
     for (const Box& box : boxes)
@@ -91,11 +99,13 @@ MotionPlacement place_motion(const std::vector<TimedPose>& motion, const RoomLay
   if (motion.empty()) throw std::invalid_argument("a motion without poses cannot be placed");
   const RigidPose& first = motion.front().pose;
   MotionPlacement placement{1, wanted.heading_rad - heading_of(first.world_from_body), first.position, {}};
-  Search search{layout.inside.grown(-clearance_m), {}, {}};
-  for (const Box& box : layout.boxes) search.boxes.push_back(box.grown(clearance_m));
+  Search search;
   for (const TimedPose& pose : motion) search.way.push_back(placement.of(pose).pose.position);
   for (; placement.scale >= least_scale; placement.scale *= smaller)
-    if (const auto start = search.start(placement.scale, wanted.position)) {
+    for (const double more_m : further_away_m) {
+      search.keep_away(layout, clearance_m + more_m);
+      const auto start = search.start(placement.scale, wanted.position);
+      if (!start) continue;
       placement.start = *start;
       return placement;
     }

@@ -26,7 +26,7 @@ struct WantedStart {
 
 /// The placement with the wanted initial heading and the largest scale, at most 1, at which all positions are in the
 /// room and at least `clearance_m` from walls and boxes, on the straight lines between them too; among these one that
-/// starts near the wanted position. `motion`: camera poses. Throws std::invalid_argument without poses, and UnfitSetting
+/// stays farther away, if there is one, and starts near the wanted position. `motion`: camera poses. Throws std::invalid_argument without poses, and UnfitSetting
 /// if less than a twentieth of the size fits.
 MotionPlacement place_motion(const std::vector<TimedPose>& motion, const RoomLayout& layout,
                              double clearance_m, const WantedStart& wanted);

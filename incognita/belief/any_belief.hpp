@@ -85,9 +85,6 @@ class AnyBelief {
   void change_frame(const LinearizedMotion& frame_motion, std::span<const Belief::MovedBlock> others) {
     std::get<Belief>(form_).change_frame(frame_motion, others);
   }
-  void set_covariance(std::span<const BlockMatrix> own, const Eigen::MatrixXd& Y) {
-    std::get<Belief>(form_).set_covariance(own, Y);
-  }
   void decorrelate(Belief::Scope scope) { std::get<Belief>(form_).decorrelate(scope); }
   /// True for a block-diagonal map covariance; false in information form.
   bool drops_correlations() const {

@@ -137,36 +137,6 @@ void Belief::replace(BlockId id, const Chart& chart, const Eigen::Ref<const Eige
   if (trace_) trace_->emplace_back(BlockReplacement{id, J, noise});
 }
 
-void Belief::set_covariance(std::span<const BlockMatrix> own, const Eigen::MatrixXd& Y) {
-  if (correlations_ == MapCorrelations::block_diagonal)
-    throw std::logic_error("set_covariance: a block-diagonal map has no correlations");
-  if (Y.rows() != errors_ || own.size() != blocks_.size())
-    throw std::invalid_argument("set_covariance: " + std::to_string(Y.rows()) + " rows and " +
-                                std::to_string(own.size()) + " blocks for a belief of " +
-                                std::to_string(errors_) + " errors and " + std::to_string(blocks_.size()) +
-                                " blocks");
-  for (std::size_t i = 0; i < own.size(); ++i)
-    if (own[i].rows() != blocks_[i].chart.tangent() || own[i].cols() != own[i].rows())
-      throw std::invalid_argument("set_covariance: " + std::to_string(own[i].rows()) + "x" +
-                                  std::to_string(own[i].cols()) + " for a block of " +
-                                  std::to_string(blocks_[i].chart.tangent()) + " errors");
-  const int rank = static_cast<int>(Y.cols());
-  reserve_rank(rank);
-  std::fill_n(packed_.data(), static_cast<long>(round_up_to_panel(errors_)) * rank, 0.0);
-  for (int k = 0; k < rank; ++k)
-    for (int i = 0; i < errors_; ++i) packed_.data()[panel_index(i, k, rank)] = Y(i, k);
-  // The kernel subtracts: -(-own - Y Y')
-  Matrix p = P();
-  p.setZero();
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    const Block& b = blocks_[i];
-    p.block(b.error, b.error, b.chart.tangent(), b.chart.tangent()) = -own[i];
-  }
-  rank_update(P_.column(0), P_.stride, errors_, packed_.data(), rank);
-  for (int j = 0; j < errors_; ++j) p.col(j).tail(errors_ - j) *= -1;
-  note(CovarianceEdit::recomputed);
-}
-
 void Belief::drop(BlockId id) {
   P_.remove(block(id).error, block(id).chart.tangent(), errors_);
   forget(id);

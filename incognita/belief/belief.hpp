@@ -105,11 +105,6 @@ class Belief : public StateLayout {
   enum class Scope { everything, map };
   void decorrelate(Scope scope);
 
-  /// Replaces the whole covariance by blockdiag(own) + Y Y', e.g. by that of an estimate from all measurements anew. `own`:
-  /// symmetric, one per block, in the order of the blocks. Y: errors x any number of columns. Allocates. Throws
-  /// std::logic_error with a block-diagonal map.
-  void set_covariance(std::span<const BlockMatrix> own, const Eigen::MatrixXd& Y);
-
   /// Joint innovation covariance S = H P H' + R of all measurements: rows x rows, both triangles. The cost
   /// does not depend on the size of the map.
   void innovation_covariance(std::span<const LinearizedMeasurement> measurements, Eigen::MatrixXd& S) const;

@@ -32,7 +32,6 @@ struct BlockDrop {
 enum class CovarianceEdit {
   frame_changed,  ///< all blocks were re-expressed in a moving frame
   decorrelated,   ///< correlations were removed
-  recomputed,     ///< it was computed anew from measurements of many times
 };
 
 /// Only measurements that were applied are recorded, not rejected ones.

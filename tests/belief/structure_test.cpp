@@ -12,28 +12,6 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& P, int first, int count) {
   return P(kept, kept);
 }
 
-TEST(SetCovariance, IsOfTheBlocksAndTheFactor) {
-  RandomStream random(1, "set");
-  for (const int rank : {1, 7, 40}) {
-    Map map(random, {12}, std::vector<int>(random.below(30) + 1, 3));
-    const int size = map.belief.errors();
-    std::vector<BlockMatrix> own;
-    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(size, size);
-    for (int first = 0; first < size; first += static_cast<int>(own.back().rows())) {
-      const int rows = first == 0 ? 12 : 3;
-      own.emplace_back(random_covariance(random, rows));
-      expected.block(first, first, rows, rows) = own.back();
-    }
-    const Eigen::MatrixXd Y = random_matrix(random, size, rank);
-    expected += Y * Y.transpose();
-    map.belief.set_covariance(own, Y);
-    EXPECT_TRUE(close(map.belief.dense_covariance(), expected, 1e-13));
-    EXPECT_THROW(map.belief.set_covariance(own, Y.topRows(size - 1)), std::invalid_argument);
-    own.pop_back();
-    EXPECT_THROW(map.belief.set_covariance(own, Y), std::invalid_argument);
-  }
-}
-
 TEST(Augment, EqualsTheDenseJacobian) {
   RandomStream random(1, "augment");
   for (int run = 0; run < 60; ++run) {

@@ -192,6 +192,7 @@ inline CameraSlamSettings few_features() {
   CameraSlamSettings settings;
   settings.filter.sigma_acceleration_m_s2 = settings.filter.sigma_angular_acceleration_rad_s2 = 1;
   settings.filter.sigma_pixel_px = 1;
+  settings.filter.adapt_sigma_pixel = false;
   settings.filter.sigma_start_velocity_m_s = settings.filter.sigma_start_angular_rate_rad_s = 0.2;
   settings.search.max_measurements = settings.map.wanted_visible = 12;
   settings.search.levels = 1;
@@ -201,6 +202,7 @@ inline CameraSlamSettings few_features() {
   settings.initialization.min_corner_strength = 30;
   settings.initialization.second_order = false;
   settings.map.max_landmarks = 200;
+  settings.bundle.adjust = false;
   settings.map.replace_when_full = false;
   settings.map.memory_attempts = 0;
   return settings;

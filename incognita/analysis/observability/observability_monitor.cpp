@@ -150,9 +150,6 @@ void ObservabilityMonitor::follow(const BeliefTrace& trace) {
         case CovarianceEdit::decorrelated:
           monitor.uncovered_ = Uncovered::decorrelated;
           break;
-        case CovarianceEdit::recomputed:
-          monitor.uncovered_ = Uncovered::recomputed;
-          break;
       }
     }
   };

@@ -39,7 +39,6 @@ class ObservabilityMonitor {
   enum class Uncovered {
     frame_changed,  ///< all blocks changed together: a map expressed in the vehicle frame
     decorrelated,   ///< correlations were dropped, or variances inflated
-    recomputed,     ///< the covariance was computed anew from measurements of many times
     other_block,    ///< a block other than a vehicle moved
     not_finite,     ///< a motion or measurement has numbers that are not finite
   };

@@ -59,8 +59,6 @@ std::string why(ObservabilityMonitor::Uncovered uncovered) {
   switch (uncovered) {
     case ObservabilityMonitor::Uncovered::frame_changed:
       return "the map is expressed in the vehicle frame";
-    case ObservabilityMonitor::Uncovered::recomputed:
-      return "bundle adjustment replaced the covariance";
     case ObservabilityMonitor::Uncovered::decorrelated:
       return "the filter decorrelates its map";
     case ObservabilityMonitor::Uncovered::other_block:

@@ -185,14 +185,13 @@ void image_estimator(SettingReader& r, Scenario& s) {
          &FilterSettings::sigma_start_angular_rate_rad_s);
   accelerations(r, s);
   r.section("sensor");
-  r.some(s.slam.filter, &FilterSettings::sigma_pixel_px);
+  r.some(s.slam.filter, &FilterSettings::sigma_pixel_px, &FilterSettings::adapt_sigma_pixel);
   r.section("search");
   r.all(s.slam.search);
   landmark_initialization(r, s.slam.initialization);
   r.section("map");
   r.all(s.slam.map);
-  r.section("bundle");
-  r.all(s.slam.bundle);
+  if (!s.is_room_vehicle()) r.section("bundle"), r.all(s.slam.bundle);
   r.section("relocalization");
   r.all(s.slam.relocalization);
   image_health(r, s.slam.health);

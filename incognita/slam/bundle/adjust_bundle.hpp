@@ -8,7 +8,7 @@ namespace incognita {
 struct AdjustmentSettings {
   int max_iterations = 10;
   double min_relative_decrease = 1e-4;  ///< of the cost, below which the adjustment ends
-  RobustCost robust;
+  RobustCost robust = {};
 };
 
 struct AdjustmentReport {

@@ -14,6 +14,7 @@ namespace incognita {
 struct BundleView {
   Eigen::Vector3d position{0, 0, 0};              ///< world, m
   Eigen::Vector4d world_from_camera{1, 0, 0, 0};  ///< unit quaternion w, x, y, z
+  bool fixed = false;                             ///< known, not estimated
 };
 
 /// A landmark (3 errors).
@@ -41,7 +42,7 @@ struct Bundle {
   std::vector<BundleView> views;
   std::vector<BundlePoint> points;
   std::vector<BundleObservation> observations;  ///< in the order of their points
-  /// Gaussian prior of the first view, which fixes the frame of the world.
+  /// Gaussian prior of the first view, unless that is fixed: it gives the frame of the world.
   BundleView first_view;
   Eigen::Matrix<double, 6, 6> first_view_cov = Eigen::Matrix<double, 6, 6>::Identity();
 };

@@ -98,6 +98,7 @@ double cost_of(const Bundle& bundle, const Camera& camera, const RobustCost& rob
   }
   for (const BundlePoint& point : bundle.points)
     if (has_depth_prior(point)) sum += 0.5 * std::pow(depth_error_sigmas(point), 2);
+  if (bundle.views.front().fixed) return sum;
   const Eigen::Matrix<double, 6, 1> error = prior_error(bundle);
   return sum + 0.5 * error.dot(bundle.first_view_cov.llt().solve(error));
 }
@@ -106,7 +107,7 @@ BundleEquations::Coupling& BundleEquations::coupling(PointTerms& terms, int view
   for (int i = terms.first; i < terms.first + terms.count; ++i)
     if (couplings_[static_cast<std::size_t>(i)].view == view) return couplings_[static_cast<std::size_t>(i)];
   ++terms.count;
-  return couplings_.emplace_back(Coupling{view, Block6x3::Zero()});
+  return couplings_.emplace_back(Coupling{view, rows_[static_cast<std::size_t>(view)], Block6x3::Zero()});
 }
 
 void BundleEquations::add_measurement(const Bundle& bundle, const BundleObservation& observation,
@@ -116,22 +117,26 @@ void BundleEquations::add_measurement(const Bundle& bundle, const BundleObservat
   const auto& [residual, Hv, Hh, Hp] = *linearized;
   const Eigen::Matrix2d information =
       robust.weight(squared_sigmas(residual, observation.cov)) * Eigen::Matrix2d(observation.cov.inverse());
-  const int v = 6 * observation.view;
-  H_views_.block<6, 6>(v, v).noalias() += Hv.transpose() * information * Hv;
-  gradient_views_.segment<6>(v).noalias() += Hv.transpose() * information * residual;
+  const int v = rows_[static_cast<std::size_t>(observation.view)];
+  if (v >= 0) {
+    H_views_.block<6, 6>(v, v).noalias() += Hv.transpose() * information * Hv;
+    gradient_views_.segment<6>(v).noalias() += Hv.transpose() * information * residual;
+  }
   const BundlePoint& point = bundle.points[static_cast<std::size_t>(observation.point)];
   if (point.kind == BundlePoint::Kind::fixed) return;
   PointTerms& terms = points_[static_cast<std::size_t>(observation.point)];
   terms.H.noalias() += Hp.transpose() * information * Hp;
   terms.gradient.noalias() += Hp.transpose() * information * residual;
-  coupling(terms, observation.view).H.noalias() += Hv.transpose() * information * Hp;
+  if (v >= 0) coupling(terms, observation.view).H.noalias() += Hv.transpose() * information * Hp;
   if (point.kind != BundlePoint::Kind::inverse_depth) return;
   // The host's position is part of the prediction, too
-  const int h = 6 * point.host;
+  const int h = rows_[static_cast<std::size_t>(point.host)];
+  if (h < 0) return;
   coupling(terms, point.host).H.topRows<3>().noalias() += Hh.transpose() * information * Hp;
   gradient_views_.segment<3>(h).noalias() += Hh.transpose() * information * residual;
-  const Eigen::Matrix<double, 6, 3> cross = Hv.transpose() * information * Hh;
   H_views_.block<3, 3>(h, h).noalias() += Hh.transpose() * information * Hh;
+  if (v < 0) return;
+  const Eigen::Matrix<double, 6, 3> cross = Hv.transpose() * information * Hh;
   if (h == v) {
     H_views_.block<6, 3>(v, v) += cross;
     H_views_.block<3, 6>(v, v) += cross.transpose();
@@ -143,10 +148,12 @@ void BundleEquations::add_measurement(const Bundle& bundle, const BundleObservat
 }
 
 void BundleEquations::add_priors(const Bundle& bundle) {
-  const Eigen::Matrix<double, 6, 6> information =
-      bundle.first_view_cov.llt().solve(Eigen::Matrix<double, 6, 6>::Identity());
-  H_views_.topLeftCorner<6, 6>() += information;
-  gradient_views_.head<6>() -= information * prior_error(bundle);
+  if (!bundle.views.front().fixed) {
+    const Eigen::Matrix<double, 6, 6> information =
+        bundle.first_view_cov.llt().solve(Eigen::Matrix<double, 6, 6>::Identity());
+    H_views_.topLeftCorner<6, 6>() += information;
+    gradient_views_.head<6>() -= information * prior_error(bundle);
+  }
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const BundlePoint& point = bundle.points[i];
     if (!has_depth_prior(point)) continue;
@@ -156,7 +163,12 @@ void BundleEquations::add_priors(const Bundle& bundle) {
 }
 
 void BundleEquations::linearize(const Bundle& bundle, const Camera& camera, const RobustCost& robust) {
-  const Eigen::Index size = 6 * static_cast<Eigen::Index>(bundle.views.size());
+  rows_.clear();
+  int size = 0;
+  for (const BundleView& view : bundle.views) {
+    rows_.push_back(view.fixed ? -1 : size);
+    if (!view.fixed) size += 6;
+  }
   H_views_.setZero(size, size);
   gradient_views_.setZero(size);
   points_.assign(bundle.points.size(), {});
@@ -189,8 +201,8 @@ bool BundleEquations::factorize(double damping) {
       const Block6x3 weighted = of_a.H * inverse_points_[i];
       for (int b = terms.first; b < terms.first + terms.count; ++b) {
         const Coupling& of_b = couplings_[static_cast<std::size_t>(b)];
-        if (of_b.view <= of_a.view)
-          reduced.block<6, 6>(6 * of_a.view, 6 * of_b.view).noalias() -= weighted * of_b.H.transpose();
+        if (of_b.row <= of_a.row)
+          reduced.block<6, 6>(of_a.row, of_b.row).noalias() -= weighted * of_b.H.transpose();
       }
     }
   }
@@ -206,7 +218,7 @@ void BundleEquations::solve() {
     const Eigen::Vector3d weighted = inverse_points_[i] * terms.gradient;
     for (int a = terms.first; a < terms.first + terms.count; ++a) {
       const Coupling& of_a = couplings_[static_cast<std::size_t>(a)];
-      view_steps_.segment<6>(6 * of_a.view) -= of_a.H * weighted;
+      view_steps_.segment<6>(of_a.row) -= of_a.H * weighted;
     }
   }
   reduced_.solveInPlace(view_steps_);
@@ -217,27 +229,16 @@ void BundleEquations::solve() {
     Eigen::Vector3d right = terms.gradient;
     for (int a = terms.first; a < terms.first + terms.count; ++a) {
       const Coupling& of_a = couplings_[static_cast<std::size_t>(a)];
-      right -= of_a.H.transpose() * view_steps_.segment<6>(6 * of_a.view);
+      right -= of_a.H.transpose() * view_steps_.segment<6>(of_a.row);
     }
     point_steps_[i] = inverse_points_[i] * right;
   }
 }
 
-BundleEquations::Regression BundleEquations::regression(int point) const {
-  const std::size_t i = static_cast<std::size_t>(point);
-  Regression out;
-  if (!points_[i].estimated) return out;
-  out.noise = inverse_points_[i];
-  for (int a = points_[i].first; a < points_[i].first + points_[i].count; ++a) {
-    const Coupling& of_a = couplings_[static_cast<std::size_t>(a)];
-    out.parts.push_back({of_a.view, -inverse_points_[i] * of_a.H.transpose()});
-  }
-  return out;
-}
-
-void BundleEquations::view_covariance_factor(Eigen::MatrixXd& X) const {
-  X.setIdentity(gradient_views_.size(), gradient_views_.size());
-  reduced_.matrixU().solveInPlace(X);
+Eigen::Matrix<double, 6, 1> BundleEquations::view_step(int view) const {
+  const int row = rows_[static_cast<std::size_t>(view)];
+  if (row < 0) return Eigen::Matrix<double, 6, 1>::Zero();
+  return view_steps_.segment<6>(row);
 }
 
 }  // namespace incognita

@@ -34,33 +34,14 @@ class BundleEquations {
 
   /// The step that minimizes the damped equations, after factorize().
   void solve();
-  Eigen::Ref<const Eigen::Matrix<double, 6, 1>> view_step(int view) const {
-    return view_steps_.segment<6>(6 * view);
-  }
+  /// Of any view: zero if it is fixed.
+  Eigen::Matrix<double, 6, 1> view_step(int view) const;
   const Eigen::Vector3d& point_step(int point) const { return point_steps_[static_cast<std::size_t>(point)]; }
-
-  /// The error of a landmark given those of the views: error = sum of J_v * (error of view v) + noise, after
-  /// factorize(0).
-  struct Regression {
-    struct Part {
-      int view = 0;
-      Eigen::Matrix<double, 3, 6> J;
-    };
-    std::vector<Part> parts;
-    Eigen::Matrix3d noise = Eigen::Matrix3d::Zero();
-  };
-  Regression regression(int point) const;
-
-  /// X with covariance X X' of the errors of the views: the inverse of the transposed Cholesky factor, upper triangular,
-  /// after factorize(0).
-  void view_covariance_factor(Eigen::MatrixXd& X) const;
-
-  int views() const { return static_cast<int>(gradient_views_.size() / 6); }
 
  private:
   struct Coupling {
-    int view = 0;
-    Block6x3 H;  ///< second derivative by the errors of the view and of the point
+    int view = 0, row = 0;  ///< a view that is not fixed, and its first row in the equations
+    Block6x3 H;             ///< second derivative by the errors of the view and of the point
   };
   struct PointTerms {
     Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
@@ -74,6 +55,7 @@ class BundleEquations {
   void add_priors(const Bundle& bundle);
   Coupling& coupling(PointTerms& terms, int view);
 
+  std::vector<int> rows_;  ///< first row of each view; -1: fixed
   std::vector<PointTerms> points_;
   std::vector<Coupling> couplings_;
   Eigen::MatrixXd H_views_;  ///< lower triangle

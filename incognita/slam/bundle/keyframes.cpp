@@ -1,25 +1,61 @@
 #include "incognita/slam/bundle/keyframes.hpp"
 
 #include <Eigen/Cholesky>
-
-#include "incognita/slam/mapper/landmarks.hpp"
+#include <algorithm>
 
 namespace incognita {
 namespace {
 
+/// Matches of a landmark in fixed keyframes that an adjustment uses: its first, and the last of them.
+constexpr int max_fixed_matches = 20;
+
+constexpr double least_inverse_depth = 1e-6;
+
 BundleView view_of(const CameraState& camera) { return {camera.head<3>(), camera.segment<4>(3)}; }
 
-bool is_inverse_depth(const Landmark& landmark) {
-  return !landmark.fixed && landmark.form.kind == LandmarkParametrization::Kind::inverse_depth;
+/// The vector from `from` to a point in inverse depth, times its inverse depth, world axes: finite at infinity.
+Eigen::Vector3d scaled_vector(const BundlePoint& point, const Eigen::Vector3d& host,
+                              const Eigen::Vector3d& from) {
+  const Eigen::Vector3d ray =
+      rotation_matrix<double>(point.initial_axes) * Eigen::Vector3d(point.value[0], point.value[1], 1);
+  return ray + point.value[2] * (host - from);
+}
+
+void move_camera(AnyBelief& belief, BlockId body, const BundleView& to) {
+  const Eigen::Matrix<double, 12, 12> P = belief.covariance(body);
+  const Eigen::Matrix<double, 6, 6> gain =
+      P.topLeftCorner<6, 6>().ldlt().solve(P.topRightCorner<6, 6>()).transpose();
+  const CameraState before = belief.mean(body);
+  CameraState after = before;
+  after.head<3>() = to.position;
+  after.segment<4>(3) = to.world_from_camera;
+  Eigen::Matrix<double, 12, 1> shift;
+  FreeCameraMotion::chart.minus({after.data(), 13}, {before.data(), 13}, {shift.data(), 12});
+  after.tail<6>() += gain * shift.head<6>();
+  belief.set_mean(body, after);
+}
+
+/// Moves a landmark to the point, if its parametrization can hold that. The initial position stays.
+void move_landmark(AnyBelief& belief, const Landmark& landmark, const BundlePoint& point,
+                   const Eigen::Vector3d& host) {
+  if (landmark.form.kind == LandmarkParametrization::Kind::point) {
+    if (point.value[2] <= least_inverse_depth) return;
+    belief.set_mean(landmark.block, host + scaled_vector(point, host, host) / point.value[2]);
+    return;
+  }
+  InverseDepthLandmark::State y = belief.mean(landmark.block);
+  const Eigen::Vector3d along = rotation_matrix<double>(landmark.form.initial_axes).transpose() *
+                                scaled_vector(point, host, y.head<3>());
+  if (!(along.z() > 0.1 * along.norm())) return;
+  y.tail<3>() << along.x() / along.z(), along.y() / along.z(), point.value[2] / along.z();
+  belief.set_mean(landmark.block, y);
 }
 
 }  // namespace
 
-void Keyframes::start(const CameraState& camera, const Eigen::Matrix<double, 6, 6>& cov) {
+void Keyframes::start(const CameraState& camera) {
   views_ = {view_of(camera)};
-  first_view_ = views_.front();
-  first_view_cov_ = cov;
-  seen_.clear();
+  tracks_.clear();
   frames_ = 0;
 }
 
@@ -27,13 +63,13 @@ bool Keyframes::is_due(const std::vector<KeyframeMatch>& matches, const Keyframe
   if (++frames_ < policy.min_frames) return false;
   const int last = static_cast<int>(views_.size()) - 1;
   int in_last = 0;
-  for (const auto& [id, seen] : seen_) in_last += seen.back().view == last;
+  for (const auto& [id, track] : tracks_) in_last += track.seen.back().view == last;
   double squares = 0;
   int moved = 0;
   for (const KeyframeMatch& match : matches) {
-    const auto known = seen_.find(match.id);
-    if (known == seen_.end() || known->second.back().view != last) continue;
-    squares += (match.pixel - known->second.back().pixel).squaredNorm();
+    const auto known = tracks_.find(match.id);
+    if (known == tracks_.end() || known->second.seen.back().view != last) continue;
+    squares += (match.pixel - known->second.seen.back().pixel).squaredNorm();
     ++moved;
   }
   return static_cast<double>(matches.size()) < policy.min_matched_share * in_last ||
@@ -41,129 +77,102 @@ bool Keyframes::is_due(const std::vector<KeyframeMatch>& matches, const Keyframe
 }
 
 void Keyframes::add(const CameraState& camera, const std::vector<KeyframeMatch>& matches) {
-  const int view = static_cast<int>(views_.size());
   views_.push_back(view_of(camera));
-  for (const KeyframeMatch& match : matches)
-    if (const auto known = seen_.find(match.id); known != seen_.end())
-      known->second.push_back({view, match.pixel, match.cov});
+  for (const KeyframeMatch& match : matches) add_match(match);
   frames_ = 0;
 }
 
-void Keyframes::add_if_new(const KeyframeMatch& match) {
-  const int last = static_cast<int>(views_.size()) - 1;
-  seen_.try_emplace(match.id, std::vector<Seen>{{last, match.pixel, match.cov}});
+void Keyframes::add_match(const KeyframeMatch& match) {
+  tracks_[match.id].seen.push_back({static_cast<int>(views_.size()) - 1, match.pixel, match.cov});
 }
 
-const BundleView* Keyframes::host_of(std::int64_t id) const {
-  const auto known = seen_.find(id);
-  return known == seen_.end() ? nullptr : &views_[static_cast<std::size_t>(known->second.front().view)];
+/// The landmark as seen from its first keyframe; nothing behind it.
+std::optional<BundlePoint> Keyframes::point_of(const Track& track, const Landmark& landmark,
+                                               const Estimate& estimate, const DepthPrior& prior) const {
+  BundlePoint point;
+  if (landmark.fixed) {
+    point.kind = BundlePoint::Kind::fixed;
+    point.value = landmark.position;
+    return point;
+  }
+  if (landmark.form.kind == LandmarkParametrization::Kind::ray) return std::nullopt;
+  point.kind = BundlePoint::Kind::inverse_depth;
+  point.host = track.seen.front().view;
+  const BundleView& host = views_[static_cast<std::size_t>(point.host)];
+  point.initial_axes = host.world_from_camera;
+  point.prior_inverse_depth = prior.mean;
+  point.sigma_prior_inverse_depth = prior.sigma;
+  const auto y = estimate.belief.mean(landmark.block);
+  Eigen::Vector3d scaled;
+  double scale = 1;
+  if (landmark.form.kind == LandmarkParametrization::Kind::point) {
+    scaled = Eigen::Vector3d(y) - host.position;
+  } else {
+    scale = y[5];
+    scaled = y[5] * (Eigen::Vector3d(y.head<3>()) - host.position) +
+             rotation_matrix<double>(landmark.form.initial_axes) * Eigen::Vector3d(y[3], y[4], 1);
+  }
+  const Eigen::Vector3d along = rotation_matrix<double>(host.world_from_camera).transpose() * scaled;
+  if (!(along.z() > 0.1 * along.norm())) return std::nullopt;
+  point.value << along.x() / along.z(), along.y() / along.z(), scale / along.z();
+  return point;
 }
 
-/// The keyframes, and the landmarks at the means of the belief. Forgets landmarks that were deleted.
-Bundle Keyframes::bundle_of(Estimate& estimate, const DepthPrior& prior) {
+/// The keyframes, those before `first_free` fixed, and the landmarks seen in the others. Forgets landmarks that were
+/// deleted and are no longer seen in them.
+Bundle Keyframes::bundle_of(const Estimate& estimate, const DepthPrior& prior, int first_free) {
   Bundle bundle;
   bundle.views = views_;
-  bundle.first_view = first_view_;
-  bundle.first_view_cov = first_view_cov_;
+  for (int i = 0; i < first_free; ++i) bundle.views[static_cast<std::size_t>(i)].fixed = true;
   ids_.clear();
-  for (auto next = seen_.begin(); next != seen_.end();) {
+  for (auto next = tracks_.begin(); next != tracks_.end();) {
     const auto at = next++;
+    Track& track = at->second;
     const auto landmark = estimate.landmarks.find(at->first);
-    if (landmark == estimate.landmarks.end()) {
-      seen_.erase(at);
+    const bool known = landmark != estimate.landmarks.end();
+    if (track.seen.back().view < first_free || (!known && !track.point)) {
+      if (!known) tracks_.erase(at);
       continue;
     }
-    const Landmark& known = landmark->second;
-    BundlePoint point;
-    if (known.fixed) {
-      point.kind = BundlePoint::Kind::fixed;
-      point.value = known.position;
-    } else if (is_inverse_depth(known)) {
-      point.kind = BundlePoint::Kind::inverse_depth;
-      point.value = estimate.belief.mean(known.block).tail<3>();
-      point.initial_axes = known.form.initial_axes;
-      point.host = at->second.front().view;
-      point.prior_inverse_depth = prior.mean;
-      point.sigma_prior_inverse_depth = prior.sigma;
-    } else {
-      point.value = estimate.belief.mean(known.block);
-    }
-    for (const Seen& seen : at->second)
+    if (track.seen.size() < 2) continue;
+    if (!track.point) track.point = point_of(track, landmark->second, estimate, prior);
+    if (!track.point) continue;
+    int fixed = 0;
+    for (const Seen& seen : track.seen) fixed += seen.view < first_free;
+    int skipped = std::max(0, fixed - max_fixed_matches);
+    for (std::size_t i = 0; i < track.seen.size(); ++i) {
+      const Seen& seen = track.seen[i];
+      if (i > 0 && skipped-- > 0) continue;
       bundle.observations.push_back(
           {seen.view, static_cast<int>(bundle.points.size()), seen.pixel, seen.cov});
-    bundle.points.push_back(point);
+    }
+    bundle.points.push_back(*track.point);
     ids_.push_back(at->first);
   }
   return bundle;
 }
 
-/// Moves the camera to the last keyframe. Its velocities given its pose stay as in the belief: they follow the pose by the
-/// regression `gain`.
-void Keyframes::replace_camera(AnyBelief& belief, BlockId body, const BundleView& last,
-                               Errors& errors) const {
-  const Eigen::Matrix<double, 12, 12> P = belief.covariance(body);
-  const Eigen::Matrix<double, 6, 6> gain =
-      P.topLeftCorner<6, 6>().ldlt().solve(P.topRightCorner<6, 6>()).transpose();
-  const CameraState before = belief.mean(body);
-  CameraState after = before;
-  after.head<3>() = last.position;
-  after.segment<4>(3) = last.world_from_camera;
-  Eigen::Matrix<double, 12, 1> shift;
-  FreeCameraMotion::chart.minus({after.data(), 13}, {before.data(), 13}, {shift.data(), 12});
-  after.tail<6>() += gain * shift.head<6>();
-  belief.set_mean(body, after);
-  const int first = belief.offset(body);
-  const auto X_last = errors.X.bottomRows<6>();
-  errors.Y.middleRows<6>(first) = X_last;
-  errors.Y.middleRows<6>(first + 6) = gain * X_last;
-  BlockMatrix own = BlockMatrix::Zero(12, 12);
-  own.bottomRightCorner<6, 6>() = P.bottomRightCorner<6, 6>() - gain * P.topRightCorner<6, 6>();
-  errors.own[first] = own;
-}
-
-/// Point `index` of the bundle. In inverse depth the position of its host precedes its own three errors.
-void Keyframes::replace_landmark(AnyBelief& belief, const Landmark& landmark, const Bundle& bundle,
-                                 std::size_t index, Errors& errors) const {
-  const BundlePoint& point = bundle.points[index];
-  const BundleEquations::Regression regression = equations_.regression(static_cast<int>(index));
-  const int first = belief.offset(landmark.block), of_host = is_inverse_depth(landmark) ? 3 : 0;
-  BlockVector mean(of_host + 3);
-  BlockMatrix own = BlockMatrix::Zero(of_host + 3, of_host + 3);
-  if (of_host > 0) {
-    mean.head<3>() = bundle.views[static_cast<std::size_t>(point.host)].position;
-    errors.Y.middleRows<3>(first) = errors.X.middleRows<3>(6 * point.host);
-    // The initial position duplicates that of the host: regularization keeps the covariance positive definite
-    own.topLeftCorner<3, 3>() = 1e-8 * Eigen::Matrix3d::Identity();
+void Keyframes::move_means(Estimate& estimate, BlockId body) const {
+  move_camera(estimate.belief, body, views_.back());
+  for (const std::int64_t id : ids_) {
+    const auto landmark = estimate.landmarks.find(id);
+    if (landmark == estimate.landmarks.end() || landmark->second.fixed) continue;
+    const BundlePoint& point = *tracks_.at(id).point;
+    move_landmark(estimate.belief, landmark->second, point,
+                  views_[static_cast<std::size_t>(point.host)].position);
   }
-  mean.tail<3>() = point.value;
-  own.bottomRightCorner<3, 3>() = regression.noise;
-  for (const auto& [view, J] : regression.parts)
-    errors.Y.middleRows<3>(first + of_host).noalias() += J * errors.X.middleRows<6>(6 * view);
-  belief.set_mean(landmark.block, mean);
-  errors.own[first] = own;
-}
-
-void Keyframes::replace_belief(Estimate& estimate, BlockId body, const Bundle& bundle) const {
-  Errors errors;
-  equations_.view_covariance_factor(errors.X);
-  errors.Y.setZero(estimate.belief.errors(), errors.X.cols());
-  replace_camera(estimate.belief, body, bundle.views.back(), errors);
-  for (std::size_t i = 0; i < ids_.size(); ++i) {
-    const Landmark& landmark = estimate.landmarks.at(ids_[i]);
-    if (!landmark.fixed) replace_landmark(estimate.belief, landmark, bundle, i, errors);
-  }
-  std::vector<BlockMatrix> own;
-  for (const auto& [first, block] : errors.own) own.push_back(block);
-  estimate.belief.set_covariance(own, errors.Y);
 }
 
 AdjustmentReport Keyframes::adjust(Estimate& estimate, BlockId body, const Camera& camera,
-                                   const AdjustmentSettings& settings, const DepthPrior& prior) {
-  Bundle bundle = bundle_of(estimate, prior);
+                                   const AdjustmentSettings& settings, const DepthPrior& prior, int window) {
+  const int first_free = std::max(1, static_cast<int>(views_.size()) - window);
+  Bundle bundle = bundle_of(estimate, prior, first_free);
   const AdjustmentReport report = incognita::adjust(bundle, camera, settings, equations_);
   if (report.outcome == AdjustmentReport::Outcome::refused) return report;
-  views_ = bundle.views;
-  replace_belief(estimate, body, bundle);
+  for (std::size_t i = static_cast<std::size_t>(first_free); i < views_.size(); ++i)
+    views_[i] = bundle.views[i];
+  for (std::size_t i = 0; i < ids_.size(); ++i) tracks_.at(ids_[i]).point = bundle.points[i];
+  move_means(estimate, body);
   return report;
 }
 

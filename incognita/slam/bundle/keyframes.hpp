@@ -1,11 +1,13 @@
-// Keyframes: frames whose camera poses and matches are kept, so that all of them and the landmarks can be estimated anew.
-// The filter linearizes each measurement once, when poses and depths may still be poorly known; bundle adjustment over the
-// keyframes linearizes all of theirs at their common estimate. Mean and covariance of the belief are then replaced by
-// those of the adjustment: frames between keyframes guide the filter only.
+// Keyframes: frames whose camera poses and matches are kept, so that they and the landmarks can be estimated anew.
+// The filter linearizes each measurement once, when poses and depths may still be poorly known. Bundle adjustment over the
+// last keyframes linearizes all of their measurements at their common estimate; older keyframes stay where they are. The means
+// of the belief then move to those of the adjustment. Its covariance stays: it is of the same measurements, and more of
+// them, so that nothing is counted twice.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "incognita/slam/bundle/adjust_bundle.hpp"
@@ -34,23 +36,20 @@ struct DepthPrior {
 
 class Keyframes {
  public:
-  /// Forgets all, and begins with a camera pose and its covariance (6 errors, as of BundleView).
-  void start(const CameraState& camera, const Eigen::Matrix<double, 6, 6>& cov);
+  /// Forgets all, and begins with a camera pose. It stays fixed: it is the frame of the world.
+  void start(const CameraState& camera);
 
   /// Counts a frame with these matches.
   bool is_due(const std::vector<KeyframeMatch>& matches, const KeyframePolicy& policy);
   void add(const CameraState& camera, const std::vector<KeyframeMatch>& matches);
-  /// Adds a landmark that begins in the last keyframe, unless it is known.
-  void add_if_new(const KeyframeMatch& match);
+  /// Adds a match to the last keyframe.
+  void add_match(const KeyframeMatch& match);
 
-  /// Adjusts all keyframes and the landmarks of the estimate that they saw, and replaces mean and covariance of the
-  /// belief. `body`: the free camera, in the last keyframe. Velocity and rate follow from their correlations with the
-  /// pose. If the adjustment is refused, the belief stays as it is. Only for beliefs of one body in covariance form.
+  /// Adjusts the last `window` keyframes and the landmarks seen in them, and moves the means of the belief. `body`: the free
+  /// camera, in the last keyframe. Its velocity and rate follow from their correlations with the pose. If the adjustment is
+  /// refused, the belief stays as it is.
   AdjustmentReport adjust(Estimate& estimate, BlockId body, const Camera& camera,
-                          const AdjustmentSettings& settings, const DepthPrior& prior);
-
-  /// The keyframe in which a landmark was seen first; null without one. Valid until the next change.
-  const BundleView* host_of(std::int64_t id) const;
+                          const AdjustmentSettings& settings, const DepthPrior& prior, int window);
 
  private:
   struct Seen {
@@ -58,26 +57,20 @@ class Keyframes {
     Eigen::Vector2d pixel;
     Eigen::Matrix2d cov;
   };
-
-  Bundle bundle_of(Estimate& estimate, const DepthPrior& prior);
-
-  /// The errors of the belief: those of the views times a matrix, plus noise of each block of its own.
-  struct Errors {
-    Eigen::MatrixXd X;               ///< covariance of the errors of the views = X X'
-    Eigen::MatrixXd Y;               ///< errors of the belief x errors of the views, times X
-    std::map<int, BlockMatrix> own;  ///< noise, by the first error of the block
+  struct Track {
+    std::vector<Seen> seen;
+    std::optional<BundlePoint> point;  ///< after the last adjustment
   };
-  void replace_camera(AnyBelief& belief, BlockId body, const BundleView& last, Errors& errors) const;
-  void replace_landmark(AnyBelief& belief, const Landmark& landmark, const Bundle& bundle, std::size_t index,
-                        Errors& errors) const;
-  void replace_belief(Estimate& estimate, BlockId body, const Bundle& bundle) const;
+
+  Bundle bundle_of(const Estimate& estimate, const DepthPrior& prior, int first_free);
+  std::optional<BundlePoint> point_of(const Track& track, const Landmark& landmark, const Estimate& estimate,
+                                      const DepthPrior& prior) const;
+  void move_means(Estimate& estimate, BlockId body) const;
 
   std::vector<BundleView> views_;
-  Eigen::Matrix<double, 6, 6> first_view_cov_ = Eigen::Matrix<double, 6, 6>::Identity();
-  BundleView first_view_;
-  std::map<std::int64_t, std::vector<Seen>> seen_;  ///< by landmark
-  std::vector<std::int64_t> ids_;                   ///< of the points of the last bundle
-  int frames_ = 0;                                  ///< since the last keyframe
+  std::map<std::int64_t, Track> tracks_;  ///< by landmark
+  std::vector<std::int64_t> ids_;         ///< of the points of the last bundle
+  int frames_ = 0;                        ///< since the last keyframe
   BundleEquations equations_;
 };
 

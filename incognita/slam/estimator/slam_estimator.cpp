@@ -27,15 +27,6 @@ std::string problem_of_camera(const FeatureTracker& camera, const EstimatorSetti
   if (c.mount && camera.has_target())
     return "a camera on a mount does not start from a target, which gives the pose of the camera and not of its vehicle: "
            "start from the pose of the vehicle";
-  if (c.settings.bundle.adjust && (s.bodies.size() > 1 || c.mount))
-    return "bundle.adjust = true is for one camera that moves freely, not for vehicles or teams; take `false`";
-  if (c.settings.bundle.adjust &&
-      c.settings.initialization.method == InitializationSettings::Method::depth_line)
-    return "bundle.adjust = true needs landmarks in inverse depth: landmark_initialization.method = `inverse-depth`";
-  if (c.settings.bundle.adjust && s.filter.form == BeliefForm::information)
-    return "bundle.adjust = true needs the filter in covariance form: estimator.form = `covariance`";
-  if (c.settings.bundle.adjust && s.filter.decorrelate != Decorrelation::nothing)
-    return "bundle.adjust = true keeps the correlations of the map: take estimator.decorrelate = `nothing`";
   if (s.filter.map_frame == MapFrame::vehicle)
     return "estimator.map_frame = `vehicle`: images are tracked in a map in the world frame; take `world`";
   if (s.filter.linearization == Linearization::first_estimate)
@@ -57,6 +48,11 @@ SlamEstimator::SlamEstimator(EstimatorSettings settings, std::vector<FeatureTrac
   const std::string problem = problem_of(settings_, cameras_);
   if (!problem.empty()) throw std::invalid_argument(problem);
   for (std::size_t k = 0; k < cameras_.size(); ++k) cameras_[k].set_index(static_cast<int>(k));
+  // Keyframes are poses of the one body, and its means move
+  const bool adjusts = cameras_.size() == 1 && settings_.bodies.size() == 1 && !cameras_[0].camera().mount &&
+                       settings_.filter.form == BeliefForm::covariance;
+  for (FeatureTracker& camera : cameras_)
+    if (!adjusts) camera.adjust_no_bundle();
   frame_counters_.resize(cameras_.size());
   bodies_.resize(settings_.bodies.size());
 }
@@ -175,18 +171,19 @@ void SlamEstimator::predict(Estimate& e, const Command& command, const Observati
   }
 }
 
-/// Predicts the features of a camera. A camera that moves freely and turned by more than its motion model allows gets the
-/// uncertainty of an acceleration over the last frame that explains the turn of the whole image, or the same image motion
-/// by a translation.
+/// Predicts the features of a camera. A camera that moves freely and turned by more than its motion model allows is turned by
+/// as much as the whole image did, with an uncertainty of that size; part of it may be translation.
 void SlamEstimator::predict_features(Estimate& e, FeatureTracker& camera, double dt) {
   const bool was_lost = bodies_[camera.camera().body].was_lost;
   if (!was_lost) camera.align(e, motion_of(camera));
   camera.predict(e, motion_of(camera));
   if (was_lost) return;
-  const std::optional<double> turn_rad = camera.unexpected_turn_rad();
-  if (!turn_rad || camera.camera().mount || !(dt > 0)) return;
-  const double angular = 2 * *turn_rad / (dt * dt);  // held over dt it turns by the angle
-  add_acceleration_noise(e, camera.camera().body, angular * camera.camera().median_depth_m, angular, dt);
+  const std::optional<Eigen::Vector3d> turn = camera.unexpected_turn();
+  if (!turn || camera.camera().mount || !(dt > 0)) return;
+  constexpr double translation_share = 0.5;  // of the image motion, in standard deviations of the turn
+  const double rad = turn->norm();
+  add_jump(e, camera.camera().body, *turn, translation_share * rad * camera.camera().median_depth_m, rad, dt);
+  camera.align(e, motion_of(camera));
   camera.predict(e, motion_of(camera));
 }
 
@@ -357,8 +354,7 @@ void SlamEstimator::maintain_maps(Estimate& e) {
       camera.start_map(e, {}, motion_of(camera));
     else if (body.health.frames_with_few == 0)
       camera.maintain_map(e, motion_of(camera));
-    if (camera.camera().settings.bundle.adjust)
-      express_in_world(e, settings_);  // it may have moved the camera
+    if (camera.moved_estimate()) express_in_world(e, settings_);
   }
 }
 

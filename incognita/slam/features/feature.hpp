@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -74,7 +75,8 @@ struct FeatureMatch {
   Eigen::Matrix<double, 2, 3> by_parallax = Eigen::Matrix<double, 2, 3>::Zero();
   Eigen::Matrix2d second_order_cov = Eigen::Matrix2d::Zero();  ///< px^2: what the linearization leaves out
   Eigen::Vector3d point;                                       ///< world, m: position assumed for the warp
-  Eigen::Matrix2d texture_from_view;  ///< local map from pixels of this view to pixels of the texture
+  Eigen::Matrix2d texture_from_view =
+      Eigen::Matrix2d::Identity();  ///< local map from pixels of this view to pixels of the texture
   std::optional<Eigen::Vector2d> measured;
   int level = 0;  ///< of the pyramid, at which it was found: its noise is 2^level times as large
   std::optional<PlaneEvidence> plane;                   ///< of a match on a patch of unknown plane
@@ -135,7 +137,8 @@ struct TrackedCamera {
   int most_measurements() const {
     return settings.search.max_measurements > 0 ? settings.search.max_measurements : max_measurements;
   }
-  double pixel_var() const { return settings.filter.sigma_pixel_px * settings.filter.sigma_pixel_px; }
+  std::optional<double> sigma_pixel_px = {};  ///< as estimated from the matches; none: as in the settings
+  double pixel_var() const { return std::pow(sigma_pixel_px.value_or(settings.filter.sigma_pixel_px), 2); }
 };
 
 /// The pose of a camera on a body in `state`. `mount`: none if the body is the camera itself.

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "incognita/slam/features/active_search.hpp"
@@ -47,6 +48,8 @@ FeatureTracker::FeatureTracker(Camera camera, const CameraSlamSettings& settings
 }
 
 void FeatureTracker::set_index(int index) { camera_.index = index; }
+
+void FeatureTracker::adjust_no_bundle() { camera_.settings.bundle.adjust = false; }
 
 void FeatureTracker::see(const Image* image) {
   sees_ = image && !image->empty();
@@ -98,8 +101,8 @@ void FeatureTracker::start_map(Estimate& estimate, const std::optional<TargetPos
     if (camera_.features.size() == before) break;
   }
   if (!camera_.settings.bundle.adjust) return;
-  keyframes_.start(camera_.view.camera, estimate.belief.covariance(camera_.view.body).topLeftCorner<6, 6>());
-  add_new_landmarks_to_keyframe();
+  keyframes_.start(camera_.view.camera);
+  add_new_landmarks_to_keyframe(std::numeric_limits<std::int64_t>::min());
 }
 
 void FeatureTracker::align(const Estimate& estimate, const AnyMotion& motion) {
@@ -123,7 +126,7 @@ void FeatureTracker::align(const Estimate& estimate, const AnyMotion& motion) {
   if (alignment) camera_.guide = alignment->rotation;
 }
 
-std::optional<double> FeatureTracker::unexpected_turn_rad() const {
+std::optional<Eigen::Vector3d> FeatureTracker::unexpected_turn() const {
   constexpr double gate_sigmas = 2.5;
   if (!camera_.guide) return std::nullopt;
   int outside = 0;
@@ -134,7 +137,8 @@ std::optional<double> FeatureTracker::unexpected_turn_rad() const {
     outside += off.dot(match.innovation_cov.inverse() * off) > gate_sigmas * gate_sigmas;
   }
   if (2 * outside <= static_cast<int>(camera_.matches.size())) return std::nullopt;
-  return quaternion_log(quaternion_from_matrix(*camera_.guide)).norm();
+  // A ray of the prediction appears at guide * ray: the camera turned the other way
+  return -quaternion_log(quaternion_from_matrix(*camera_.guide));
 }
 
 void FeatureTracker::predict(const Estimate& estimate, const AnyMotion& motion) {
@@ -184,6 +188,7 @@ void FeatureTracker::discard_matches() {
 void FeatureTracker::after_correction(const Estimate& estimate, const AnyMotion& motion) {
   camera_.view = viewpoint(estimate, camera_, motion);
   if (sees_) before_ = camera_.view.camera;
+  if (camera_.settings.filter.adapt_sigma_pixel) pixel_noise_.update(estimate, camera_);
   update_median_depth();
   estimate_patch_planes(estimate, camera_);
   if (sees_ && camera_.settings.relocalization.whole_map)
@@ -232,59 +237,49 @@ void FeatureTracker::count_frames_away() { incognita::count_frames_away(camera_)
 
 void FeatureTracker::maintain_map(Estimate& estimate, const AnyMotion& motion) {
   relocalization_.restart();
+  moved_estimate_ = false;
   if (!sees_) return;
   count_attempts(estimate, camera_);
-  if (camera_.settings.bundle.adjust) {
-    maintain_keyframes(estimate, motion);
-    delete_bad_landmarks(estimate, camera_);
-    return;
-  }
+  moved_estimate_ = camera_.settings.bundle.adjust && add_keyframe(estimate, motion);
+  const std::int64_t newest = camera_.features.empty() ? -1 : camera_.features.rbegin()->first;
   simplify_landmarks(estimate, camera_);
   update_depth_lines(pyramid_.summed(), estimate, camera_);
   add_landmarks(estimate);
+  if (moved_estimate_) add_new_landmarks_to_keyframe(newest);
   delete_bad_landmarks(estimate, camera_);
 }
 
-void FeatureTracker::adopt(std::int64_t id, Feature feature) {
-  if (camera_.settings.bundle.adjust)
-    throw std::logic_error(
-        "bundle.adjust = true: no keyframe has seen the landmarks of a saved map; take `false`");
-  camera_.features[id] = std::move(feature);
+void FeatureTracker::adopt(std::int64_t id, Feature feature) { camera_.features[id] = std::move(feature); }
+
+/// Adds the landmarks after `newest`, which began in this frame.
+void FeatureTracker::add_new_landmarks_to_keyframe(std::int64_t newest) {
+  for (auto feature = camera_.features.upper_bound(newest); feature != camera_.features.end(); ++feature)
+    keyframes_.add_match(
+        {feature->first, feature->second.view.pixel, camera_.pixel_var() * Eigen::Matrix2d::Identity()});
 }
 
-void FeatureTracker::add_new_landmarks_to_keyframe() {
-  for (const auto& [id, feature] : camera_.features)
-    keyframes_.add_if_new({id, feature.view.pixel, camera_.pixel_var() * Eigen::Matrix2d::Identity()});
-}
-
-/// Bundle adjustment when this frame becomes a keyframe, and then new landmarks.
-void FeatureTracker::maintain_keyframes(Estimate& estimate, const AnyMotion& motion) {
+/// Whether this frame became a keyframe; bundle adjustment then moved the estimate.
+bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
   const BundleSettings& settings = camera_.settings.bundle;
   std::vector<KeyframeMatch> matches;
   for (const FeatureMatch& match : camera_.matches)
     if (match.outcome == MatchOutcome::matched)
-      matches.push_back(
-          {match.id, *match.measured, camera_.pixel_var() * Eigen::Matrix2d::Identity() + match.plane_cov});
+      matches.push_back({match.id, *match.measured,
+                         match_var(match, camera_) * Eigen::Matrix2d::Identity() + match.plane_cov});
   const KeyframePolicy policy{settings.min_frames, settings.min_motion_share * camera_.camera.width(),
                               settings.min_matched_share};
-  if (!keyframes_.is_due(matches, policy)) return;
+  if (!keyframes_.is_due(matches, policy)) return false;
   keyframes_.add(camera_.view.camera, matches);
   AdjustmentSettings adjustment;
   adjustment.max_iterations = settings.max_iterations;
   adjustment.robust.limit_sigmas = settings.limit_sigmas;
   const InitializationSettings& initialization = camera_.settings.initialization;
   keyframes_.adjust(estimate, camera_.view.body, camera_.camera, adjustment,
-                    {initialization.inverse_depth_per_m, initialization.sigma_inverse_depth_per_m});
-  for_each_feature(estimate, camera_.features, [&](Landmark& landmark, Feature& feature) {
-    const BundleView* host = keyframes_.host_of(landmark.id);
-    if (!host) return;
-    landmark.first_view = feature.view.camera_position = host->position;
-    feature.view.world_from_camera = host->world_from_camera;
-  });
-  simplify_landmarks(estimate, camera_);
+                    {initialization.inverse_depth_per_m, initialization.sigma_inverse_depth_per_m},
+                    settings.window);
   camera_.view = viewpoint(estimate, camera_, motion);
-  add_landmarks(estimate);
-  add_new_landmarks_to_keyframe();
+  before_ = camera_.view.camera;
+  return true;
 }
 
 void FeatureTracker::forget_depth_lines(Estimate& estimate) { drop_depth_lines(estimate, camera_); }

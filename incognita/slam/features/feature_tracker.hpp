@@ -10,6 +10,7 @@
 #include "incognita/slam/bundle/keyframes.hpp"
 #include "incognita/slam/features/align_rotation.hpp"
 #include "incognita/slam/features/feature.hpp"
+#include "incognita/slam/features/pixel_noise.hpp"
 #include "incognita/slam/features/relocalization.hpp"
 #include "incognita/slam/features/target.hpp"
 #include "incognita/slam/features/target_pose.hpp"
@@ -33,6 +34,8 @@ class FeatureTracker {
 
   /// Sets the index among all cameras of the estimator.
   void set_index(int index);
+  /// Switches bundle adjustment off, BundleSettings.
+  void adjust_no_bundle();
 
   /// Takes the image of this tick; null without one. The image must live until the next call. Throws
   /// std::invalid_argument for an image whose size is not that of the camera.
@@ -56,9 +59,9 @@ class FeatureTracker {
   void align(const Estimate& estimate, const AnyMotion& motion);
   /// Predicts the features in view from the current estimate.
   void predict(const Estimate& estimate, const AnyMotion& motion);
-  /// Angle by which the whole image turned beyond the prediction, rad, if most features are then expected outside of their
-  /// search ellipses; nothing otherwise.
-  std::optional<double> unexpected_turn_rad() const;
+  /// Rotation vector, rad in camera axes, by which the camera turned beyond the prediction according to the whole image, if
+  /// most features are then expected outside of their search ellipses; nothing otherwise.
+  std::optional<Eigen::Vector3d> unexpected_turn() const;
   /// Searches for the predicted features.
   void search();
   /// Adds the noise of patches whose plane is not known yet.
@@ -76,8 +79,10 @@ class FeatureTracker {
   /// Counts the frames since the last match of each feature.
   void count_frames_away();
 
-  /// Converts, deletes and adds landmarks; for frames with enough matches.
+  /// Converts, deletes and adds landmarks, and adjusts the last keyframes; for frames with enough matches.
   void maintain_map(Estimate& estimate, const AnyMotion& motion);
+  /// Whether the last maintain_map() moved the estimate by bundle adjustment.
+  bool moved_estimate() const { return moved_estimate_; }
   /// Removes what means nothing without the pose.
   void forget_depth_lines(Estimate& estimate);
 
@@ -91,8 +96,7 @@ class FeatureTracker {
   /// relative to its covariance; rejects outliers.
   void take_matches(PoseEvidence evidence, const Estimate& estimate);
 
-  /// Takes over a landmark of the estimate, e.g. of a saved map, with its appearance. Throws std::logic_error with
-  /// BundleSettings::adjust: no keyframe saw it.
+  /// Takes over a landmark of the estimate, e.g. of a saved map, with its appearance.
   void adopt(std::int64_t id, Feature feature);
 
   /// Appends the matches of this frame.
@@ -108,13 +112,15 @@ class FeatureTracker {
   };
   NewLandmarks new_landmarks(const Estimate& estimate) const;
   void add_landmarks(Estimate& estimate);
-  void maintain_keyframes(Estimate& estimate, const AnyMotion& motion);
-  void add_new_landmarks_to_keyframe();
+  bool add_keyframe(Estimate& estimate, const AnyMotion& motion);
+  void add_new_landmarks_to_keyframe(std::int64_t newest);
   void update_median_depth();
 
   TrackedCamera camera_;
   CameraPlacement placement_;
   Keyframes keyframes_;
+  bool moved_estimate_ = false;
+  PixelNoise pixel_noise_;
   Relocalization relocalization_;
   ImagePyramid pyramid_;
   SmallImage small_, small_before_;

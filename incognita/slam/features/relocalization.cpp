@@ -31,21 +31,21 @@ std::optional<PoseEvidence> Relocalization::search(const SummedImage& image, con
   const double sigma_px = std::max(1.0, camera.settings.filter.sigma_pixel_px);
   const std::vector<PoseHypothesis> hypotheses =
       find_poses(recognized, camera.camera, pose_limits(camera.settings.map), sigma_px, random_);
-  struct Found {
+  struct Tried {
     PoseEvidence evidence;
     int distinctive;
   };
-  std::vector<Found> found;
+  std::vector<Tried> found;
   for (const PoseHypothesis& hypothesis : hypotheses)
     found.push_back(
         {gather_evidence(image, estimate, camera, hypothesis.camera, wider * wider * hypothesis.cov),
          hypothesis.distinctive});
   std::stable_sort(found.begin(), found.end(),
-                   [](const Found& a, const Found& b) { return a.evidence.matched > b.evidence.matched; });
+                   [](const Tried& a, const Tried& b) { return a.evidence.matched > b.evidence.matched; });
   if (found.empty() || found.front().distinctive < settings.min_distinctive) return std::nullopt;
   PoseEvidence& best = found.front().evidence;
   if (!refusal_of(best, camera.camera, camera.settings).empty()) return std::nullopt;
-  const bool is_ambiguous = std::ranges::any_of(found, [&](const Found& rival) {
+  const bool is_ambiguous = std::ranges::any_of(found, [&](const Tried& rival) {
     return rival.evidence.matched > rival_share * best.matched && !share_matches(best, rival.evidence);
   });
   if (is_ambiguous) return std::nullopt;

@@ -12,6 +12,7 @@ struct FilterSettings {
   double sigma_acceleration_m_s2 = 4;  // of a hand
   double sigma_angular_acceleration_rad_s2 = 6;
   double sigma_pixel_px = 0.5;
+  bool adapt_sigma_pixel = true;
   double sigma_start_velocity_m_s = 1;  // it may move when it starts
   double sigma_start_angular_rate_rad_s = 1;
   bool odometry = false;
@@ -27,6 +28,9 @@ struct FilterSettings {
             "Standard deviation of the unknown angular acceleration per axis, constant over one frame");
     setting(&S::sigma_pixel_px, "sigma_pixel_px", "px", between(0.001, 100),
             "Standard deviation of one measured image position, per axis");
+    setting(
+        &S::adapt_sigma_pixel, "adapt_sigma_pixel", "", any(),
+        "Whether `sigma_pixel_px` is only the first value, and follows the residuals of the matches, 0.25 to 2 px");
     setting(&S::sigma_start_velocity_m_s, "sigma_velocity_m_s", "m/s", between(0, 1e4),
             "Standard deviation of the initial velocity, per axis");
     setting(&S::sigma_start_angular_rate_rad_s, "sigma_angular_rate_rad_s", "rad/s", between(0, 1e4),
@@ -92,7 +96,7 @@ struct InitializationSettings {
   Method method = Method::inverse_depth;
   int box_width_px = 80;
   int box_height_px = 60;
-  double min_corner_strength = 8;
+  double min_corner_strength = 5;
   Center center = Center::edges;
   Selection selection = Selection::grid;
   double look_ahead_s = 0.5;
@@ -185,9 +189,11 @@ struct MapSettings {
   }
 };
 
+/// For one camera that moves freely and is estimated in covariance form: others do not adjust.
 struct BundleSettings {
-  bool adjust = false;
-  int min_frames = 3;
+  bool adjust = true;
+  int window = 15;
+  int min_frames = 1;
   double min_motion_share = 0.03;
   double min_matched_share = 0.8;
   int max_iterations = 5;
@@ -196,10 +202,10 @@ struct BundleSettings {
   static void describe(auto&& setting) {
     using namespace limits;
     using S = BundleSettings;
-    setting(
-        &S::adjust, "adjust", "", any(),
-        "Whether bundle adjustment over keyframes estimates camera poses and landmarks anew; landmarks then "
-        "begin in keyframes");
+    setting(&S::adjust, "adjust", "", any(),
+            "Whether bundle adjustment over the last keyframes estimates camera poses and landmarks anew");
+    setting(&S::window, "window", "", between(2, 1000),
+            "Keyframes whose poses an adjustment estimates, at most");
     setting(&S::min_frames, "min_frames", "", between(1, 100000), "Least number of frames between keyframes");
     setting(
         &S::min_motion_share, "min_motion_share", "", between(0, 1),

@@ -82,6 +82,7 @@ void validate(const MapSettings& s) {
 }
 
 void validate(const BundleSettings& s) {
+  need_at_least("bundle.window", s.window, 2, "2 or more");
   need_at_least("bundle.min_frames", s.min_frames, 1, "1 or more");
   need(s.min_motion_share >= 0 && s.min_motion_share <= 1, "bundle.min_motion_share", s.min_motion_share,
        "0 to 1");

@@ -4,7 +4,6 @@
 #include <type_traits>
 
 #include "incognita/belief/linearize.hpp"
-#include "incognita/models/motion/held_acceleration.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
 
 namespace incognita {
@@ -97,15 +96,16 @@ void predict_through_readings(Estimate& e, std::size_t which, const BodyObservat
 
 }  // namespace
 
-void add_acceleration_noise(Estimate& e, std::size_t which, double sigma_m_s2, double sigma_rad_s2,
-                            double dt) {
+void add_jump(Estimate& e, std::size_t which, const Eigen::Vector3d& turn, double sigma_m, double sigma_rad,
+              double dt) {
   const BlockId block = e.bodies[which].block;
-  const FreeCameraMotion::State<double> x = e.belief.mean(block);
-  const auto step = HeldAcceleration{}.step(x, FreeCameraMotion::Input<double>::Zero(), dt);
-  FreeCameraMotion::Input<double> sigmas;
-  sigmas << Eigen::Vector3d::Constant(sigma_m_s2), Eigen::Vector3d::Constant(sigma_rad_s2);
-  const SmallMatrix Q = sigmas.cwiseAbs2().asDiagonal();
-  e.belief.predict({block, x, FreeCameraMotion::Jacobian::Identity(), step.G * Q * step.G.transpose()});
+  FreeCameraMotion::State<double> x = e.belief.mean(block);
+  x.segment<4>(3) = quaternion_product<double>(x.segment<4>(3), quaternion_exp<double>(turn)).normalized();
+  Eigen::Matrix<double, FreeCameraMotion::error_size, 1> sigmas;
+  sigmas << Eigen::Vector3d::Constant(sigma_m), Eigen::Vector3d::Constant(sigma_rad),
+      Eigen::Vector3d::Constant(sigma_m / dt), Eigen::Vector3d::Constant(sigma_rad / dt);
+  const SmallMatrix N = sigmas.cwiseAbs2().asDiagonal();
+  e.belief.predict({block, x, FreeCameraMotion::Jacobian::Identity(), N});
 }
 
 UpdateReport update_with_wheel_odometry(AnyBelief& belief, BlockId camera, const WheelOdometry& odometry,

@@ -15,10 +15,12 @@ namespace incognita {
 void predict_body(Estimate& estimate, std::size_t which, const SmallVector& commanded,
                   const BodyObservation& observed, const Tick& tick, const EstimatorSettings& settings);
 
-/// Adds to the prediction of a free camera over the last `dt` seconds the uncertainty of further accelerations, held over
-/// them: m/s^2 and rad/s^2 per axis.
-void add_acceleration_noise(Estimate& estimate, std::size_t which, double sigma_m_s2, double sigma_rad_s2,
-                            double dt);
+/// Turns the prediction of a free camera over the last `dt` seconds by a rotation vector, rad in camera axes, that its motion
+/// model did not expect, and adds that uncertainty to its pose (m, rad per axis) and, over `dt`, to its velocity and rate. The
+/// rate does not follow the turn: shaking hands turn back in the next frame, and a camera that goes on turning has the
+/// uncertainty to do so.
+void add_jump(Estimate& estimate, std::size_t which, const Eigen::Vector3d& turn, double sigma_m,
+              double sigma_rad, double dt);
 
 /// Corrects a free camera with a wheel reading of its carrier: speed (m/s) and turn rate (rad/s, positive to the
 /// left), means over the tick.

@@ -1,0 +1,39 @@
+#include "incognita/slam/features/pixel_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "incognita/slam/features/predict_matches.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr std::size_t least_matches = 8;
+constexpr double frames_averaged = 30;
+/// A smaller one lets the search ellipse of a certain feature hold no pixel; with a larger one hardly any match is refused.
+constexpr double least_px = 0.25, most_px = 2;
+constexpr double pose_errors = 6;  // numbers that each frame fits to its matches
+
+}  // namespace
+
+void PixelNoise::update(const Estimate& estimate, TrackedCamera& camera) {
+  squares_.clear();
+  for (const FeatureMatch& match : camera.matches) {
+    if (match.outcome != MatchOutcome::matched || match.level > 0) continue;
+    const auto corrected = predict_pixel(estimate.landmarks.at(match.id), estimate.belief, camera.camera,
+                                         camera.view.camera, camera.settings);
+    if (corrected) squares_.push_back((*match.measured - corrected->predicted).squaredNorm());
+  }
+  if (squares_.size() < least_matches) return;
+  const auto middle = squares_.begin() + static_cast<std::ptrdiff_t>(squares_.size() / 2);
+  std::nth_element(squares_.begin(), middle, squares_.end());
+  // The median of a chi-squared variable with 2 degrees of freedom is 2 ln 2
+  const double residual_var = *middle / (2 * std::numbers::ln2);
+  const double rows = 2 * static_cast<double>(squares_.size());
+  const double now = residual_var * rows / (rows - pose_errors);
+  const double var = camera.pixel_var() + (now - camera.pixel_var()) / frames_averaged;
+  camera.sigma_pixel_px = std::clamp(std::sqrt(var), least_px, most_px);
+}
+
+}  // namespace incognita

@@ -191,7 +191,10 @@ void image_estimator(SettingReader& r, Scenario& s) {
   landmark_initialization(r, s.slam.initialization);
   r.section("map");
   r.all(s.slam.map);
-  if (!s.is_room_vehicle()) r.section("bundle"), r.all(s.slam.bundle);
+  if (s.is_room_vehicle())
+    s.slam.bundle.adjust = false;  // its wheels are no part of a bundle
+  else
+    r.section("bundle"), r.all(s.slam.bundle);
   r.section("relocalization");
   r.all(s.slam.relocalization);
   image_health(r, s.slam.health);

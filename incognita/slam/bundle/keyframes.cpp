@@ -9,6 +9,9 @@ namespace {
 /// Matches of a landmark in fixed keyframes that an adjustment uses: its first, and the last of them.
 constexpr int max_fixed_matches = 20;
 
+/// Of a keyframe: fewer may not determine its pose, and the filter knows its motion.
+constexpr int least_matches = 8;
+
 constexpr double least_inverse_depth = 1e-6;
 
 BundleView view_of(const CameraState& camera) { return {camera.head<3>(), camera.segment<4>(3)}; }
@@ -60,7 +63,7 @@ void Keyframes::start(const CameraState& camera) {
 }
 
 bool Keyframes::is_due(const std::vector<KeyframeMatch>& matches, const KeyframePolicy& policy) {
-  if (++frames_ < policy.min_frames) return false;
+  if (++frames_ < policy.min_frames || static_cast<int>(matches.size()) < least_matches) return false;
   const int last = static_cast<int>(views_.size()) - 1;
   int in_last = 0;
   for (const auto& [id, track] : tracks_) in_last += track.seen.back().view == last;

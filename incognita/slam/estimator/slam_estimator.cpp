@@ -34,6 +34,16 @@ std::string problem_of_camera(const FeatureTracker& camera, const EstimatorSetti
   return "";
 }
 
+/// Keyframes are poses of the one body, and images are its only measurements.
+bool suits_bundle_adjustment(const EstimatorSettings& settings, const std::vector<FeatureTracker>& cameras) {
+  if (cameras.size() != 1 || settings.bodies.size() != 1) return false;
+  const BodyModel& body = settings.bodies[0];
+  const TrackedCamera& camera = cameras[0].camera();
+  return !camera.mount && !body.wheels && !(body.sigma_fix_m > 0) && body.sensors.empty() &&
+         camera.settings.initialization.method != InitializationSettings::Method::depth_line &&
+         settings.filter.form == BeliefForm::covariance;
+}
+
 std::string problem_of(const EstimatorSettings& settings, const std::vector<FeatureTracker>& cameras) {
   std::string problem = validate(settings);
   for (std::size_t k = 0; problem.empty() && k < cameras.size(); ++k)
@@ -48,11 +58,8 @@ SlamEstimator::SlamEstimator(EstimatorSettings settings, std::vector<FeatureTrac
   const std::string problem = problem_of(settings_, cameras_);
   if (!problem.empty()) throw std::invalid_argument(problem);
   for (std::size_t k = 0; k < cameras_.size(); ++k) cameras_[k].set_index(static_cast<int>(k));
-  // Keyframes are poses of the one body, and its means move
-  const bool adjusts = cameras_.size() == 1 && settings_.bodies.size() == 1 && !cameras_[0].camera().mount &&
-                       settings_.filter.form == BeliefForm::covariance;
   for (FeatureTracker& camera : cameras_)
-    if (!adjusts) camera.adjust_no_bundle();
+    if (!suits_bundle_adjustment(settings_, cameras_)) camera.adjust_no_bundle();
   frame_counters_.resize(cameras_.size());
   bodies_.resize(settings_.bodies.size());
 }

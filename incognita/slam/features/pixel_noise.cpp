@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::size_t least_matches = 8;
 constexpr double frames_averaged = 30;
-/// A smaller one lets the search ellipse of a certain feature hold no pixel; with a larger one hardly any match is refused.
-constexpr double least_px = 0.25, most_px = 2;
-constexpr double pose_errors = 6;  // numbers that each frame fits to its matches
+constexpr double least_px = 0.25, most_px = 2;  // with a larger one hardly any match is refused
+constexpr double least_radius_px = 0.75;        // of a search ellipse: a smaller one may hold no pixel
+constexpr double pose_errors = 6;               // numbers that each frame fits to its matches
 
 }  // namespace
 
@@ -33,7 +33,8 @@ void PixelNoise::update(const Estimate& estimate, TrackedCamera& camera) {
   const double rows = 2 * static_cast<double>(squares_.size());
   const double now = residual_var * rows / (rows - pose_errors);
   const double var = camera.pixel_var() + (now - camera.pixel_var()) / frames_averaged;
-  camera.sigma_pixel_px = std::clamp(std::sqrt(var), least_px, most_px);
+  const double least = std::max(least_px, least_radius_px / camera.settings.search.gate_sigmas);
+  camera.sigma_pixel_px = std::clamp(std::sqrt(var), least, std::max(least, most_px));
 }
 
 }  // namespace incognita

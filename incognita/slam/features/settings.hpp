@@ -189,7 +189,7 @@ struct MapSettings {
   }
 };
 
-/// For one camera that moves freely and is estimated in covariance form: others do not adjust.
+/// For one camera that moves freely, with no other sensor, inverse depths and a belief in covariance form: others do not adjust.
 struct BundleSettings {
   bool adjust = true;
   int window = 15;

@@ -114,8 +114,7 @@ Recorded run(const Wanted& wanted, std::optional<Camera>& camera) {
     out.lost += estimate.status.state == TrackingState::lost;
     // A view without matches is not determined
     const bool is_tracked = estimate.status.state != TrackingState::lost && estimate.last.image_matches >= 4;
-    if (is_tracked && frame++ % wanted.stride == 0)
-      record(estimate, truth, tick.t, out);
+    if (is_tracked && frame++ % wanted.stride == 0) record(estimate, truth, tick.t, out);
   }
   camera = dynamic_cast<const SlamEstimator&>(*parts.estimator).cameras()[0].camera().camera;
   return out;
@@ -196,7 +195,8 @@ Bundle prefix_of(const Bundle& all, int views) {
   out.first_view = all.first_view;
   out.first_view_cov = all.first_view_cov;
   std::vector<int> count(all.points.size());
-  for (const BundleObservation& o : all.observations) count[static_cast<std::size_t>(o.point)] += o.view < views;
+  for (const BundleObservation& o : all.observations)
+    count[static_cast<std::size_t>(o.point)] += o.view < views;
   std::vector<int> index(all.points.size(), -1);
   for (std::size_t i = 0; i < all.points.size(); ++i) {
     if (count[i] < 2) continue;
@@ -229,7 +229,8 @@ Trajectory causal(const Bundle& all, const Camera& camera, const AdjustmentSetti
     if (report.outcome == AdjustmentReport::Outcome::refused) std::printf("view %zu refused\n", k);
     std::ranges::copy(prefix.views, state.views.begin());
     std::vector<int> count(state.points.size());
-    for (const BundleObservation& o : all.observations) count[static_cast<std::size_t>(o.point)] += o.view < n;
+    for (const BundleObservation& o : all.observations)
+      count[static_cast<std::size_t>(o.point)] += o.view < n;
     std::size_t next = 0;
     for (std::size_t i = 0; i < state.points.size(); ++i)
       if (count[i] >= 2) state.points[i] = prefix.points[next++];
@@ -265,13 +266,15 @@ int adjust_run(const Wanted& wanted) {
     adjusted[i].orientation = bundle.views[i].world_from_camera;
   }
   std::printf("ATE (Sim3): filter %.4f m, adjusted %.4f m; between them %.4f m\n",
-              ate(run.estimate, run.truth, AlignmentKind::sim3), ate(adjusted, run.truth, AlignmentKind::sim3),
+              ate(run.estimate, run.truth, AlignmentKind::sim3),
+              ate(adjusted, run.truth, AlignmentKind::sim3),
               ate(run.estimate, adjusted, AlignmentKind::sim3));
   if (wanted.causal) {
     settings.max_iterations = 20;
     settings.min_relative_decrease = 1e-4;
     const Trajectory at_once = causal(bundle, camera, settings, run.estimate, 0.5);
-    std::printf("ATE (Sim3) of each view at its time: %.4f m\n", ate(at_once, run.truth, AlignmentKind::sim3));
+    std::printf("ATE (Sim3) of each view at its time: %.4f m\n",
+                ate(at_once, run.truth, AlignmentKind::sim3));
   }
   if (wanted.out.empty()) return 0;
   std::ofstream file(wanted.out);

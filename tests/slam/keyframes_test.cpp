@@ -30,8 +30,8 @@ struct Scene {
       Landmark landmark;
       landmark.id = i;
       landmark.fixed = i < anchors;
-      const Eigen::Vector3d mean = truth.back() + error_m * Eigen::Vector3d(random.normal(), random.normal(),
-                                                                            random.normal());
+      const Eigen::Vector3d mean =
+          truth.back() + error_m * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
       if (landmark.fixed)
         landmark.position = truth.back();
       else
@@ -103,10 +103,11 @@ TEST(Keyframes, KeepWhatTheySawOfDeletedLandmarks) {
   std::vector<KeyframeMatch> matches = scene.matches(5);
   std::erase_if(matches, [](const KeyframeMatch& match) { return match.id >= 10 && match.id < 20; });
   scene.keyframes.add(wrong, matches);
-  EXPECT_NE(scene.keyframes.adjust(scene.t.estimate, scene.t.camera_block(), camera, {.max_iterations = 20},
-                                   {0.5, 0.5}, 15)
-                .outcome,
-            AdjustmentReport::Outcome::refused);
+  EXPECT_NE(
+      scene.keyframes
+          .adjust(scene.t.estimate, scene.t.camera_block(), camera, {.max_iterations = 20}, {0.5, 0.5}, 15)
+          .outcome,
+      AdjustmentReport::Outcome::refused);
   EXPECT_LT(scene.camera_error(5), 1e-3);
 }
 

@@ -9,6 +9,7 @@ namespace incognita::synthetic {
 namespace {
 
 const CameraState start = camera_at({0, 0, 1});
+constexpr double keyframe_s = 0.2;
 
 CameraState pose_at(int keyframe) {
   CameraState x = start;
@@ -39,8 +40,8 @@ struct Scene {
             t.estimate.belief.augment(PointLandmark::chart, mean, {}, 0.01 * Eigen::Matrix3d::Identity());
       t.estimate.landmarks.emplace(i, landmark);
     }
-    keyframes.start(start);
-    for (const KeyframeMatch& match : matches(0)) keyframes.add_match(match);
+    keyframes.start(start, Eigen::Matrix<double, 6, 6>::Zero(), 0);
+    for (const KeyframeMatch& match : matches(0)) keyframes.add_new(match);
   }
 
   std::vector<KeyframeMatch> matches(int keyframe) const {
@@ -57,7 +58,7 @@ struct Scene {
       CameraState wrong = pose_at(k);
       wrong.head<3>() += error_m * Eigen::Vector3d(1, -1, 0.5);
       t.move_to(wrong);
-      keyframes.add(wrong, matches(k));
+      keyframes.add(t.estimate, t.camera_block(), matches(k), k * keyframe_s);
       const AdjustmentReport report =
           keyframes.adjust(t.estimate, t.camera_block(), camera, {.max_iterations = 20}, {0.5, 0.5}, window);
       ASSERT_NE(report.outcome, AdjustmentReport::Outcome::refused) << k;
@@ -102,7 +103,7 @@ TEST(Keyframes, KeepWhatTheySawOfDeletedLandmarks) {
   scene.t.move_to(wrong);
   std::vector<KeyframeMatch> matches = scene.matches(5);
   std::erase_if(matches, [](const KeyframeMatch& match) { return match.id >= 10 && match.id < 20; });
-  scene.keyframes.add(wrong, matches);
+  scene.keyframes.add(scene.t.estimate, scene.t.camera_block(), matches, 5 * keyframe_s);
   EXPECT_NE(
       scene.keyframes
           .adjust(scene.t.estimate, scene.t.camera_block(), camera, {.max_iterations = 20}, {0.5, 0.5}, 15)
@@ -125,6 +126,71 @@ TEST(Keyframes, MoveInverseDepths) {
                                                    0.01 * Eigen::Matrix<double, 6, 6>::Identity());
   scene.run(6, 15, 0.03);
   EXPECT_LT((nominal_position(landmark, scene.t.estimate.belief) - scene.truth[20]).norm(), 0.02);
+}
+
+/// The filter had its velocity from poses that were wrong by a growing error.
+TEST(Keyframes, CorrectTheVelocityByTheChangeBetweenTheLastTwo) {
+  Scene scene(0);
+  scene.run(4, 15, 0);
+  const Eigen::Vector3d drift(0.02, -0.02, 0.01);
+  CameraState wrong = pose_at(5);
+  wrong.head<3>() += drift;
+  wrong.segment<3>(7) = (pose_at(5) - pose_at(4)).head<3>() / keyframe_s + drift / keyframe_s;
+  scene.t.move_to(wrong);
+  scene.keyframes.add(scene.t.estimate, scene.t.camera_block(), scene.matches(5), 5 * keyframe_s);
+  scene.keyframes.adjust(scene.t.estimate, scene.t.camera_block(), camera, {.max_iterations = 20}, {0.5, 0.5},
+                         15);
+  const CameraState after = scene.t.estimate.belief.mean(scene.t.camera_block());
+  EXPECT_LT((after.segment<3>(7) - (pose_at(5) - pose_at(4)).head<3>() / keyframe_s).norm(), 0.02);
+}
+
+TEST(Keyframes, KeepFewOldViewsInALongRun) {
+  Scene scene(0);
+  scene.run(60, 4, 0.001);
+  // The first, the last 20 fixed, and the window
+  EXPECT_LE(scene.keyframes.view_count(), 1 + 20 + 4);
+  EXPECT_LT(scene.camera_error(60), 5e-3);
+}
+
+/// A start that explains a motion forward by a rotation is a minimum, too.
+TEST(Keyframes, StartAgainFromTwoViewsWhereTheFirstEstimateIsWrong) {
+  Scene scene(0);
+  for (int i = 0; i < Scene::anchors; ++i) remove_landmark(scene.t.estimate, i);
+  std::vector<KeyframeMatch> matches;
+  const CameraState second = camera_at({0.4, 0.1, 1}, 0.05);
+  for (int i = Scene::anchors; i < Scene::points; ++i) {
+    matches.push_back(
+        {i, pixel_of(second, scene.truth[static_cast<std::size_t>(i)]), 0.25 * Eigen::Matrix2d::Identity()});
+    // All depths wrong
+    const Eigen::Vector3d ray =
+        PointLandmark::in_camera<double>(start, scene.truth[static_cast<std::size_t>(i)]);
+    const double depth = i % 2 == 0 ? 0.5 : 40;
+    scene.t.estimate.belief.set_mean(
+        scene.t.landmark(i).block,
+        start.head<3>() + rotation_matrix<double>(free_camera::orientation(start)) * ray * depth / ray.z());
+  }
+  scene.t.move_to(camera_at({-0.1, 0, 1}, -0.1));
+  scene.keyframes.add(scene.t.estimate, scene.t.camera_block(), matches, keyframe_s);
+  scene.keyframes.adjust(scene.t.estimate, scene.t.camera_block(), camera, {.max_iterations = 1}, {0.5, 0.5},
+                         15);
+  ASSERT_TRUE(scene.keyframes.start_again(camera, {.max_iterations = 20}));
+  const Eigen::Vector3d shift = scene.keyframes.last_view().position - Eigen::Vector3d(start.head<3>());
+  EXPECT_GT(shift.normalized().dot(Eigen::Vector3d(0.4, 0.1, 0).normalized()), std::cos(0.05));
+  EXPECT_FALSE(scene.keyframes.start_again(camera, {.max_iterations = 20})) << "it is right already";
+}
+
+TEST(Keyframes, SayHowFarTheFilterMovedTheirPoints) {
+  Scene scene(0);
+  scene.run(3, 15, 0);
+  EXPECT_LT(scene.keyframes.moved_px(scene.t.estimate, pose_at(3), camera), 0.1);
+  for (int i = Scene::anchors; i < Scene::points; ++i) {
+    const BlockId block = scene.t.landmark(i).block;
+    scene.t.estimate.belief.set_mean(block, scene.t.estimate.belief.mean(block) + Eigen::Vector3d(0, 0.1, 0));
+  }
+  // 0.1 m at 1.5 to 3 m, 195 px focal length
+  const double moved = scene.keyframes.moved_px(scene.t.estimate, pose_at(3), camera);
+  EXPECT_GT(moved, 195 * 0.1 / 3);
+  EXPECT_LT(moved, 195 * 0.1 / 1.4);
 }
 
 TEST(Keyframes, AreDueAfterMotionOrLostMatches) {

@@ -1,18 +1,30 @@
 #include "incognita/slam/bundle/keyframes.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "incognita/slam/bundle/point_in_view.hpp"
+#include "incognita/slam/bundle/two_view_start.hpp"
 
 namespace incognita {
 namespace {
 
-/// Matches of a landmark in fixed keyframes that an adjustment uses: its first, and the last of them.
+/// Matches of a landmark in fixed keyframes that are kept: its first, and the last of them.
 constexpr int max_fixed_matches = 20;
+
+/// Keyframes after which the start is settled.
+constexpr int max_start_views = 10;
+/// Of the cost, below which another start is taken.
+constexpr double much_better = 0.5;
 
 /// Of a keyframe: fewer may not determine its pose, and the filter knows its motion.
 constexpr int least_matches = 8;
 
 constexpr double least_inverse_depth = 1e-6;
+
+/// Of a prior of the first view, m^2 and rad^2: with less it is fixed.
+constexpr double least_prior_var = 1e-7;
 
 BundleView view_of(const CameraState& camera) { return {camera.head<3>(), camera.segment<4>(3)}; }
 
@@ -24,18 +36,24 @@ Eigen::Vector3d scaled_vector(const BundlePoint& point, const Eigen::Vector3d& h
   return ray + point.value[2] * (host - from);
 }
 
-void move_camera(AnyBelief& belief, BlockId body, const BundleView& to) {
-  const Eigen::Matrix<double, 12, 12> P = belief.covariance(body);
-  const Eigen::Matrix<double, 6, 6> gain =
-      P.topLeftCorner<6, 6>().ldlt().solve(P.topRightCorner<6, 6>()).transpose();
-  const CameraState before = belief.mean(body);
-  CameraState after = before;
-  after.head<3>() = to.position;
-  after.segment<4>(3) = to.world_from_camera;
-  Eigen::Matrix<double, 12, 1> shift;
-  FreeCameraMotion::chart.minus({after.data(), 13}, {before.data(), 13}, {shift.data(), 12});
-  after.tail<6>() += gain * shift.head<6>();
-  belief.set_mean(body, after);
+/// The change of a view: of its position, and the rotation vector in the axes of the view before.
+using ViewShift = Eigen::Matrix<double, 6, 1>;
+ViewShift shift_of(const BundleView& from, const BundleView& to) {
+  ViewShift shift;
+  shift << to.position - from.position,
+      quaternion_log(quaternion_product(quaternion_conjugate(from.world_from_camera), to.world_from_camera));
+  return shift;
+}
+
+/// Moves the pose, and velocity and rate by its change relative to the keyframe before, `elapsed_s` earlier: the filter had
+/// them from its own poses.
+void move_camera(AnyBelief& belief, BlockId body, const BundleView& to, const ViewShift& relative,
+                 double elapsed_s) {
+  CameraState camera = belief.mean(body);
+  camera.head<3>() = to.position;
+  camera.segment<4>(3) = to.world_from_camera;
+  if (elapsed_s > 0) camera.tail<6>() += relative / elapsed_s;
+  belief.set_mean(body, camera);
 }
 
 /// Moves a landmark to the point, if its parametrization can hold that. The initial position stays.
@@ -56,22 +74,27 @@ void move_landmark(AnyBelief& belief, const Landmark& landmark, const BundlePoin
 
 }  // namespace
 
-void Keyframes::start(const CameraState& camera) {
-  views_ = {view_of(camera)};
+void Keyframes::start(const CameraState& camera, const Eigen::Matrix<double, 6, 6>& cov, double t) {
+  views_.clear();
+  views_[0] = view_of(camera);
+  views_[0].fixed = cov.diagonal().minCoeff() < least_prior_var;
+  first_view_ = views_[0];
+  first_view_cov_ = cov;
   tracks_.clear();
+  ids_.clear();
   frames_ = 0;
+  t_ = t_before_ = t;
 }
 
 bool Keyframes::is_due(const std::vector<KeyframeMatch>& matches, const KeyframePolicy& policy) {
   if (++frames_ < policy.min_frames || static_cast<int>(matches.size()) < least_matches) return false;
-  const int last = static_cast<int>(views_.size()) - 1;
   int in_last = 0;
-  for (const auto& [id, track] : tracks_) in_last += track.seen.back().view == last;
+  for (const auto& [id, track] : tracks_) in_last += track.seen.back().view == last();
   double squares = 0;
   int moved = 0;
   for (const KeyframeMatch& match : matches) {
     const auto known = tracks_.find(match.id);
-    if (known == tracks_.end() || known->second.seen.back().view != last) continue;
+    if (known == tracks_.end() || known->second.seen.back().view != last()) continue;
     squares += (match.pixel - known->second.seen.back().pixel).squaredNorm();
     ++moved;
   }
@@ -79,14 +102,27 @@ bool Keyframes::is_due(const std::vector<KeyframeMatch>& matches, const Keyframe
          squares > moved * policy.min_motion_px * policy.min_motion_px;
 }
 
-void Keyframes::add(const CameraState& camera, const std::vector<KeyframeMatch>& matches) {
-  views_.push_back(view_of(camera));
-  for (const KeyframeMatch& match : matches) add_match(match);
+void Keyframes::add(const Estimate& estimate, BlockId body, const std::vector<KeyframeMatch>& matches,
+                    double t) {
+  t_before_ = std::exchange(t_, t);
+  views_[last() + 1] = view_of(estimate.belief.mean(body));
+  add_matches(estimate, body, matches);
   frames_ = 0;
 }
 
-void Keyframes::add_match(const KeyframeMatch& match) {
-  tracks_[match.id].seen.push_back({static_cast<int>(views_.size()) - 1, match.pixel, match.cov});
+void Keyframes::add_matches(const Estimate& estimate, BlockId body,
+                            const std::vector<KeyframeMatch>& matches) {
+  for (const KeyframeMatch& match : matches) {
+    Track& track = tracks_[match.id];
+    if (const Landmark& landmark = estimate.landmarks.at(match.id); track.seen.empty() && !landmark.fixed)
+      if (const auto point = point_in_view(landmark, estimate.belief, last_view()))
+        track.prior = DepthPrior{point->z(), sigma_inverse_depth_in_view(landmark, estimate.belief, body)};
+    track.seen.push_back({last(), match.pixel, match.cov});
+  }
+}
+
+void Keyframes::add_new(const KeyframeMatch& match) {
+  tracks_[match.id].seen.push_back({last(), match.pixel, match.cov});
 }
 
 /// The landmark as seen from its first keyframe; nothing behind it.
@@ -98,85 +134,150 @@ std::optional<BundlePoint> Keyframes::point_of(const Track& track, const Landmar
     point.value = landmark.position;
     return point;
   }
-  if (landmark.form.kind == LandmarkParametrization::Kind::ray) return std::nullopt;
   point.kind = BundlePoint::Kind::inverse_depth;
   point.host = track.seen.front().view;
-  const BundleView& host = views_[static_cast<std::size_t>(point.host)];
+  const BundleView& host = views_.at(point.host);
+  const auto value = point_in_view(landmark, estimate.belief, host);
+  if (!value) return std::nullopt;
+  point.value = *value;
   point.initial_axes = host.world_from_camera;
-  point.prior_inverse_depth = prior.mean;
-  point.sigma_prior_inverse_depth = prior.sigma;
-  const auto y = estimate.belief.mean(landmark.block);
-  Eigen::Vector3d scaled;
-  double scale = 1;
-  if (landmark.form.kind == LandmarkParametrization::Kind::point) {
-    scaled = Eigen::Vector3d(y) - host.position;
-  } else {
-    scale = y[5];
-    scaled = y[5] * (Eigen::Vector3d(y.head<3>()) - host.position) +
-             rotation_matrix<double>(landmark.form.initial_axes) * Eigen::Vector3d(y[3], y[4], 1);
-  }
-  const Eigen::Vector3d along = rotation_matrix<double>(host.world_from_camera).transpose() * scaled;
-  if (!(along.z() > 0.1 * along.norm())) return std::nullopt;
-  point.value << along.x() / along.z(), along.y() / along.z(), scale / along.z();
+  point.prior_inverse_depth = track.prior.value_or(prior).mean;
+  point.sigma_prior_inverse_depth = track.prior.value_or(prior).sigma;
   return point;
 }
 
-/// The keyframes, those before `first_free` fixed, and the landmarks seen in the others. Forgets landmarks that were
-/// deleted and are no longer seen in them.
-Bundle Keyframes::bundle_of(const Estimate& estimate, const DepthPrior& prior, int first_free) {
-  Bundle bundle;
-  bundle.views = views_;
-  for (int i = 0; i < first_free; ++i) bundle.views[static_cast<std::size_t>(i)].fixed = true;
-  ids_.clear();
-  for (auto next = tracks_.begin(); next != tracks_.end();) {
-    const auto at = next++;
-    Track& track = at->second;
-    const auto landmark = estimate.landmarks.find(at->first);
-    const bool known = landmark != estimate.landmarks.end();
-    if (track.seen.back().view < first_free || (!known && !track.point)) {
-      if (!known) tracks_.erase(at);
-      continue;
-    }
-    if (track.seen.size() < 2) continue;
-    if (!track.point) track.point = point_of(track, landmark->second, estimate, prior);
-    if (!track.point) continue;
-    int fixed = 0;
-    for (const Seen& seen : track.seen) fixed += seen.view < first_free;
-    int skipped = std::max(0, fixed - max_fixed_matches);
-    for (std::size_t i = 0; i < track.seen.size(); ++i) {
-      const Seen& seen = track.seen[i];
-      if (i > 0 && skipped-- > 0) continue;
-      bundle.observations.push_back(
-          {seen.view, static_cast<int>(bundle.points.size()), seen.pixel, seen.cov});
-    }
-    bundle.points.push_back(*track.point);
-    ids_.push_back(at->first);
+/// Forgets landmarks that were deleted and not seen since, old matches of the others, and views without any.
+void Keyframes::forget_before(int first_free) {
+  std::map<int, BundleView> kept(views_.lower_bound(first_free), views_.end());
+  for (auto& [id, track] : tracks_) {
+    const auto first_in_window =
+        std::ranges::find_if(track.seen, [&](const Seen& seen) { return seen.view >= first_free; });
+    const auto old = std::distance(track.seen.begin(), first_in_window);
+    if (old > 1 + max_fixed_matches)
+      track.seen.erase(track.seen.begin() + 1, first_in_window - max_fixed_matches);
+    for (const Seen& seen : track.seen)
+      if (seen.view < first_free) kept.insert({seen.view, views_.at(seen.view)});
   }
-  return bundle;
+  views_ = std::move(kept);
 }
 
-void Keyframes::move_means(Estimate& estimate, BlockId body) const {
-  move_camera(estimate.belief, body, views_.back());
+/// The views of the points of the bundle; those before `first_free` are fixed.
+void Keyframes::add_views(int first_free) {
+  numbers_.clear();
+  indices_.clear();
+  bundle_.views.clear();
+  for (const auto& [number, view] : views_) {
+    indices_[number] = static_cast<int>(numbers_.size());
+    numbers_.push_back(number);
+    bundle_.views.push_back(view);
+    bundle_.views.back().fixed = view.fixed || number < first_free;
+  }
+  // The prior is of view 0 only
+  if (numbers_.front() > 0) bundle_.views.front().fixed = true;
+  bundle_.first_view = first_view_;
+  bundle_.first_view_cov = first_view_cov_;
+}
+
+/// The landmarks seen in the window, with their matches.
+void Keyframes::add_points(const Estimate& estimate, const DepthPrior& prior, int first_free) {
+  ids_.clear();
+  bundle_.points.clear();
+  bundle_.observations.clear();
+  for (auto& [id, track] : tracks_) {
+    if (track.seen.back().view < first_free || track.seen.size() < 2) continue;
+    const auto landmark = estimate.landmarks.find(id);
+    if (!track.point && landmark != estimate.landmarks.end())
+      track.point = point_of(track, landmark->second, estimate, prior);
+    if (!track.point) continue;
+    const int index = static_cast<int>(ids_.size());
+    for (const Seen& seen : track.seen)
+      bundle_.observations.push_back({indices_.at(seen.view), index, seen.pixel, seen.cov});
+    bundle_.points.push_back(*track.point);
+    if (track.point->host >= 0) bundle_.points.back().host = indices_.at(track.point->host);
+    ids_.push_back(id);
+  }
+}
+
+void Keyframes::take_bundle() {
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    BundleView& view = views_.at(numbers_[i]);
+    view.position = bundle_.views[i].position;
+    view.world_from_camera = bundle_.views[i].world_from_camera;
+  }
+  for (std::size_t i = 0; i < ids_.size(); ++i) tracks_.at(ids_[i]).point->value = bundle_.points[i].value;
+}
+
+void Keyframes::move_means(Estimate& estimate, BlockId body, const BundleView& before) const {
+  const BundleView last = view_of(estimate.belief.mean(body));
+  const ViewShift relative = shift_of(last, last_view()) - shift_of(before, view_before());
+  move_camera(estimate.belief, body, last_view(), relative, elapsed_s());
   for (const std::int64_t id : ids_) {
     const auto landmark = estimate.landmarks.find(id);
     if (landmark == estimate.landmarks.end() || landmark->second.fixed) continue;
     const BundlePoint& point = *tracks_.at(id).point;
-    move_landmark(estimate.belief, landmark->second, point,
-                  views_[static_cast<std::size_t>(point.host)].position);
+    move_landmark(estimate.belief, landmark->second, point, views_.at(point.host).position);
   }
 }
 
 AdjustmentReport Keyframes::adjust(Estimate& estimate, BlockId body, const Camera& camera,
                                    const AdjustmentSettings& settings, const DepthPrior& prior, int window) {
-  const int first_free = std::max(1, static_cast<int>(views_.size()) - window);
-  Bundle bundle = bundle_of(estimate, prior, first_free);
-  const AdjustmentReport report = incognita::adjust(bundle, camera, settings, equations_);
+  const int first_free = std::max(0, last() + 1 - window);
+  std::erase_if(tracks_, [&](const auto& item) {
+    return item.second.seen.back().view < first_free && !estimate.landmarks.contains(item.first);
+  });
+  forget_before(first_free);
+  add_views(first_free);
+  add_points(estimate, prior, first_free);
+  const AdjustmentReport report = incognita::adjust(bundle_, camera, settings, equations_);
   if (report.outcome == AdjustmentReport::Outcome::refused) return report;
-  for (std::size_t i = static_cast<std::size_t>(first_free); i < views_.size(); ++i)
-    views_[i] = bundle.views[i];
-  for (std::size_t i = 0; i < ids_.size(); ++i) tracks_.at(ids_[i]).point = bundle.points[i];
-  move_means(estimate, body);
+  cost_ = report.last_cost;
+  const BundleView before = view_before();
+  take_bundle();
+  move_means(estimate, body, before);
   return report;
+}
+
+bool Keyframes::start_again(const Camera& camera, const AdjustmentSettings& settings) {
+  const bool is_start = last() < max_start_views && views_.begin()->first == 0 && views_.at(0).fixed;
+  // Noise alone costs half of the rows
+  if (!is_start || cost_ < static_cast<double>(bundle_.observations.size())) return false;
+  std::optional<Bundle> other = two_view_start(bundle_, camera);
+  if (!other) return false;
+  const AdjustmentReport report = incognita::adjust(*other, camera, settings, equations_);
+  if (report.outcome == AdjustmentReport::Outcome::refused || report.last_cost > much_better * cost_)
+    return false;
+  bundle_ = *std::move(other);
+  cost_ = report.last_cost;
+  take_bundle();
+  return true;
+}
+
+double Keyframes::moved_px(const Estimate& estimate, const CameraState& from, const Camera& camera) const {
+  const BundleView view = view_of(from);
+  const Eigen::Matrix3d camera_from_world = rotation_matrix<double>(view.world_from_camera).transpose();
+  std::vector<double> distances;
+  for (const std::int64_t id : ids_) {
+    const auto landmark = estimate.landmarks.find(id);
+    if (landmark == estimate.landmarks.end() || landmark->second.fixed) continue;
+    const auto now = point_in_view(landmark->second, estimate.belief, view);
+    const BundlePoint& point = *tracks_.at(id).point;
+    const auto then = camera.project(camera_from_world *
+                                     scaled_vector(point, views_.at(point.host).position, view.position));
+    if (!now || !then) continue;
+    if (const auto projected = camera.project({now->x(), now->y(), 1}))
+      distances.push_back((projected->pixel - then->pixel).norm());
+  }
+  if (distances.empty()) return 0;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+std::optional<Eigen::Vector3d> Keyframes::point_in_first_view(std::int64_t id) const {
+  const auto track = tracks_.find(id);
+  if (track == tracks_.end() || !track->second.point || track->second.point->host != views_.begin()->first)
+    return std::nullopt;
+  return track->second.point->value;
 }
 
 }  // namespace incognita

@@ -36,20 +36,43 @@ struct DepthPrior {
 
 class Keyframes {
  public:
-  /// Forgets all, and begins with a camera pose. It stays fixed: it is the frame of the world.
-  void start(const CameraState& camera);
+  /// Forgets all, and begins at time `t`, s, with a camera pose of this covariance, which is fixed where that is zero: it gives the frame of the
+  /// world.
+  void start(const CameraState& camera, const Eigen::Matrix<double, 6, 6>& cov, double t);
 
   /// Counts a frame with these matches.
   bool is_due(const std::vector<KeyframeMatch>& matches, const KeyframePolicy& policy);
-  void add(const CameraState& camera, const std::vector<KeyframeMatch>& matches);
-  /// Adds a match to the last keyframe.
-  void add_match(const KeyframeMatch& match);
+  /// Adds the pose of the free camera `body` at time `t`, s. The prior of a landmark that began in no keyframe is what the belief
+  /// knows of its depth.
+  void add(const Estimate& estimate, BlockId body, const std::vector<KeyframeMatch>& matches, double t);
+  /// Adds matches to the last keyframe, which is the current pose of that body.
+  void add_matches(const Estimate& estimate, BlockId body, const std::vector<KeyframeMatch>& matches);
+  /// Adds a landmark that begins in the last keyframe.
+  void add_new(const KeyframeMatch& match);
 
   /// Adjusts the last `window` keyframes and the landmarks seen in them, and moves the means of the belief. `body`: the free
-  /// camera, in the last keyframe. Its velocity and rate follow from their correlations with the pose. If the adjustment is
-  /// refused, the belief stays as it is.
+  /// camera, in the last keyframe. Its velocity and rate follow from the change relative to the keyframe before. If the
+  /// adjustment is refused, the belief stays as it is.
   AdjustmentReport adjust(Estimate& estimate, BlockId body, const Camera& camera,
                           const AdjustmentSettings& settings, const DepthPrior& prior, int window);
+
+  /// For the last keyframe among the first ones: starts another adjustment from the relative pose of the first and the last
+  /// view. True if that fits the matches far better; the keyframes and points are then its own, and the belief is to be
+  /// renewed from them.
+  bool start_again(const Camera& camera, const AdjustmentSettings& settings);
+
+  /// How far the belief moved points since the last adjustment, as seen from the camera: median, px. Large after the filter
+  /// closed a loop; 0 without points in view.
+  double moved_px(const Estimate& estimate, const CameraState& from, const Camera& camera) const;
+
+  /// The last keyframe, the one before it, which must exist, and the first that is kept.
+  const BundleView& last_view() const { return views_.rbegin()->second; }
+  const BundleView& view_before() const { return std::prev(views_.end(), 2)->second; }
+  const BundleView& first_view() const { return views_.begin()->second; }
+  int view_count() const { return static_cast<int>(views_.size()); }
+  double elapsed_s() const { return t_ - t_before_; }  ///< between the last two
+  /// A landmark whose host is the first keyframe, as adjusted; nothing for others.
+  std::optional<Eigen::Vector3d> point_in_first_view(std::int64_t id) const;
 
  private:
   struct Seen {
@@ -59,18 +82,32 @@ class Keyframes {
   };
   struct Track {
     std::vector<Seen> seen;
-    std::optional<BundlePoint> point;  ///< after the last adjustment
+    std::optional<DepthPrior> prior = {};   ///< of the depth in the first view; none: that of new landmarks
+    std::optional<BundlePoint> point = {};  ///< after the last adjustment; its host is the number of a view
   };
 
-  Bundle bundle_of(const Estimate& estimate, const DepthPrior& prior, int first_free);
+  int last() const { return views_.rbegin()->first; }
+  void forget_before(int first_free);
   std::optional<BundlePoint> point_of(const Track& track, const Landmark& landmark, const Estimate& estimate,
                                       const DepthPrior& prior) const;
-  void move_means(Estimate& estimate, BlockId body) const;
+  void add_views(int first_free);
+  void add_points(const Estimate& estimate, const DepthPrior& prior, int first_free);
+  void take_bundle();
+  void move_means(Estimate& estimate, BlockId body, const BundleView& before) const;
 
-  std::vector<BundleView> views_;
+  std::map<int, BundleView> views_;       ///< by number; older ones if a landmark was seen there
   std::map<std::int64_t, Track> tracks_;  ///< by landmark
-  std::vector<std::int64_t> ids_;         ///< of the points of the last bundle
-  int frames_ = 0;                        ///< since the last keyframe
+  BundleView first_view_;                 ///< prior of view 0
+  Eigen::Matrix<double, 6, 6> first_view_cov_ = Eigen::Matrix<double, 6, 6>::Zero();
+  int frames_ = 0;               ///< since the last keyframe
+  double t_ = 0, t_before_ = 0;  ///< s, of the last keyframe and the one before
+
+  // Of the last adjustment
+  Bundle bundle_;
+  std::vector<int> numbers_;       ///< of its views
+  std::map<int, int> indices_;     ///< of the views, by number
+  std::vector<std::int64_t> ids_;  ///< of its points
+  double cost_ = 0;
   BundleEquations equations_;
 };
 

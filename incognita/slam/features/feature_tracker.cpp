@@ -15,11 +15,15 @@
 #include "incognita/slam/features/map_management.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 #include "incognita/slam/features/recognition.hpp"
+#include "incognita/slam/features/renew_map.hpp"
 #include "incognita/slam/features/search_feature.hpp"
 #include "incognita/slam/features/validation.hpp"
 
 namespace incognita {
 namespace {
+
+/// Of the points, by the filter since the last adjustment: it closed a loop, and what the keyframes know is of before.
+constexpr double most_moved_px = 10;
 
 void check_size(const Image& image, const Camera& camera) {
   if (image.width() != camera.width() || image.height() != camera.height())
@@ -101,7 +105,7 @@ void FeatureTracker::start_map(Estimate& estimate, const std::optional<TargetPos
     if (camera_.features.size() == before) break;
   }
   if (!camera_.settings.bundle.adjust) return;
-  keyframes_.start(camera_.view.camera);
+  keyframes_.start(camera_.view.camera, pose_cov(estimate), estimate.bodies[camera_.body].t);
   add_new_landmarks_to_keyframe(std::numeric_limits<std::int64_t>::min());
 }
 
@@ -164,6 +168,15 @@ void FeatureTracker::reject_outliers(const Estimate& estimate) {
   if (sees_) incognita::reject_outliers(estimate, camera_);
 }
 
+/// Of the searched features of this frame; 1 without any.
+double FeatureTracker::found_share() const {
+  const auto searched = std::ranges::count_if(
+      camera_.matches, [](const FeatureMatch& match) { return match.outcome != MatchOutcome::not_searched; });
+  return searched > 0 ? static_cast<double>(camera_.matched) / static_cast<double>(searched) : 1;
+}
+
+bool FeatureTracker::finds_enough() const { return found_share() >= 0.6 * found_share_; }
+
 void FeatureTracker::append_measurements(const Estimate& estimate,
                                          std::vector<LinearizedMeasurement>& measurements) const {
   for (const FeatureMatch& match : camera_.matches)
@@ -189,6 +202,7 @@ void FeatureTracker::after_correction(const Estimate& estimate, const AnyMotion&
   camera_.view = viewpoint(estimate, camera_, motion);
   if (sees_) before_ = camera_.view.camera;
   if (camera_.settings.filter.adapt_sigma_pixel) pixel_noise_.update(estimate, camera_);
+  found_share_ += 0.1 * (found_share() - found_share_);
   update_median_depth();
   estimate_patch_planes(estimate, camera_);
   if (sees_ && camera_.settings.relocalization.whole_map)
@@ -254,8 +268,13 @@ void FeatureTracker::adopt(std::int64_t id, Feature feature) { camera_.features[
 /// Adds the landmarks after `newest`, which began in this frame.
 void FeatureTracker::add_new_landmarks_to_keyframe(std::int64_t newest) {
   for (auto feature = camera_.features.upper_bound(newest); feature != camera_.features.end(); ++feature)
-    keyframes_.add_match(
+    keyframes_.add_new(
         {feature->first, feature->second.view.pixel, camera_.pixel_var() * Eigen::Matrix2d::Identity()});
+}
+
+/// Covariance of the pose of a camera that is the body itself.
+Eigen::Matrix<double, 6, 6> FeatureTracker::pose_cov(const Estimate& estimate) const {
+  return estimate.belief.covariance(camera_.view.body).topLeftCorner(6, 6);
 }
 
 /// Whether this frame became a keyframe; bundle adjustment then moved the estimate.
@@ -268,8 +287,13 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
                          match_var(match, camera_) * Eigen::Matrix2d::Identity() + match.plane_cov});
   const KeyframePolicy policy{settings.min_frames, settings.min_motion_share * camera_.camera.width(),
                               settings.min_matched_share};
+  if (keyframes_.moved_px(estimate, camera_.view.camera, camera_.camera) > most_moved_px) {
+    keyframes_.start(camera_.view.camera, pose_cov(estimate), estimate.bodies[camera_.body].t);
+    keyframes_.add_matches(estimate, camera_.view.body, matches);
+    return false;
+  }
   if (!keyframes_.is_due(matches, policy)) return false;
-  keyframes_.add(camera_.view.camera, matches);
+  keyframes_.add(estimate, camera_.view.body, matches, estimate.bodies[camera_.body].t);
   AdjustmentSettings adjustment;
   adjustment.max_iterations = settings.max_iterations;
   adjustment.robust.limit_sigmas = settings.limit_sigmas;
@@ -277,6 +301,7 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
   keyframes_.adjust(estimate, camera_.view.body, camera_.camera, adjustment,
                     {initialization.inverse_depth_per_m, initialization.sigma_inverse_depth_per_m},
                     settings.window);
+  if (keyframes_.start_again(camera_.camera, adjustment)) renew_map(keyframes_, estimate, camera_);
   camera_.view = viewpoint(estimate, camera_, motion);
   before_ = camera_.view.camera;
   return true;

@@ -28,7 +28,7 @@ std::optional<PoseEvidence> Relocalization::search(const SummedImage& image, con
   const RelocalizationSettings& settings = camera.settings.relocalization;
   const std::vector<PointMatch> recognized =
       recognize_landmarks(image.image(), estimate, camera, RecognitionLimits{});
-  const double sigma_px = std::max(1.0, camera.settings.filter.sigma_pixel_px);
+  const double sigma_px = std::max(1.0, std::sqrt(camera.pixel_var()));
   const std::vector<PoseHypothesis> hypotheses =
       find_poses(recognized, camera.camera, pose_limits(camera.settings.map), sigma_px, random_);
   struct Tried {

@@ -1,0 +1,91 @@
+#include "incognita/slam/bundle/two_view_start.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+
+#include "incognita/slam/bundle/relative_pose.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr double tolerance_px = 1.5;
+constexpr double least_inlier_share = 0.6;                              // of the points in both views
+constexpr double least_share_of_median = 0.05, most_times_median = 20;  // inverse depths of points
+
+struct SharedPoints {
+  std::vector<int> points;
+  std::vector<Eigen::Vector3d> first, last;  ///< rays (x, y, 1)
+};
+
+/// Points whose host is the first view and that the last view sees, too.
+SharedPoints shared_points(const Bundle& bundle, const Camera& camera) {
+  SharedPoints shared;
+  const int last = static_cast<int>(bundle.views.size()) - 1;
+  std::map<int, Eigen::Vector3d> in_first;
+  for (const BundleObservation& seen : bundle.observations) {
+    const BundlePoint& point = bundle.points[static_cast<std::size_t>(seen.point)];
+    if (point.kind != BundlePoint::Kind::inverse_depth || point.host != 0) continue;
+    const auto ray = camera.unproject(seen.pixel);
+    if (!ray) continue;
+    if (seen.view == 0) in_first[seen.point] = *ray;
+    if (seen.view != last || !in_first.contains(seen.point)) continue;
+    shared.points.push_back(seen.point);
+    shared.first.push_back(in_first[seen.point]);
+    shared.last.push_back(*ray);
+  }
+  return shared;
+}
+
+/// Inverse depth, in the first view, of the point of the first ray nearest to the second; 0 for parallel rays.
+double inverse_depth(const RelativePose& pose, const Eigen::Vector3d& first, const Eigen::Vector3d& second) {
+  const Eigen::Vector3d to = rotation_matrix<double>(pose.first_from_second) * second;
+  // first / rho - direction is parallel to `to`: first x to = rho direction x to
+  const Eigen::Vector3d parallax = first.cross(to), base = pose.direction.cross(to);
+  return base.dot(parallax) / std::max(base.squaredNorm(), 1e-12);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void place_views(std::vector<BundleView>& views, const RelativePose& pose, double baseline) {
+  const BundleView first = views.front();
+  const Eigen::Matrix3d world_from_first = rotation_matrix<double>(first.world_from_camera);
+  const Eigen::Vector3d turn = quaternion_log(pose.first_from_second);
+  for (std::size_t i = 1; i < views.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(views.size() - 1);
+    views[i].position = first.position + share * baseline * world_from_first * pose.direction;
+    views[i].world_from_camera =
+        quaternion_product(first.world_from_camera, quaternion_exp<double>(share * turn));
+  }
+}
+
+}  // namespace
+
+std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera) {
+  const SharedPoints shared = shared_points(bundle, camera);
+  const auto center = camera.unproject({0.5 * camera.width(), 0.5 * camera.height()});
+  const auto beside = camera.unproject({0.5 * camera.width() + 1, 0.5 * camera.height()});
+  if (!center || !beside) return std::nullopt;
+  const auto pose = relative_pose(shared.first, shared.last, tolerance_px * (*beside - *center).norm());
+  if (!pose || pose->inliers < least_inlier_share * static_cast<double>(shared.points.size()))
+    return std::nullopt;
+  std::vector<double> inverse_depths;
+  for (std::size_t i = 0; i < shared.points.size(); ++i)
+    inverse_depths.push_back(inverse_depth(*pose, shared.first[i], shared.last[i]));
+  const double per_baseline = median(inverse_depths);
+  if (!(per_baseline > 0)) return std::nullopt;
+  const double wanted = bundle.points[static_cast<std::size_t>(shared.points.front())].prior_inverse_depth;
+  place_views(bundle.views, *pose, per_baseline / wanted);
+  for (BundlePoint& point : bundle.points)
+    if (point.kind == BundlePoint::Kind::inverse_depth) point.value[2] = wanted;
+  for (std::size_t i = 0; i < shared.points.size(); ++i)
+    bundle.points[static_cast<std::size_t>(shared.points[i])].value[2] =
+        wanted * std::clamp(inverse_depths[i] / per_baseline, least_share_of_median, most_times_median);
+  return bundle;
+}
+
+}  // namespace incognita

@@ -1,0 +1,14 @@
+// Another start of bundle adjustment. A filter that begins without depths can converge to wrong ones: a motion forward and a
+// rotation then explain each other. The relative pose of two views needs no depths.
+#pragma once
+
+#include "incognita/slam/bundle/bundle.hpp"
+
+namespace incognita {
+
+/// The bundle, with its last view where the matches with the first view tell, other views between both, and points of the first
+/// view where their rays intersect. The scale makes the median inverse depth that of the priors. Nothing if the matches
+/// do not determine the pose. The first view must be the host of the points.
+std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera);
+
+}  // namespace incognita

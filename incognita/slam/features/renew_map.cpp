@@ -1,0 +1,87 @@
+#include "incognita/slam/features/renew_map.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "incognita/slam/features/map_management.hpp"
+#include "incognita/slam/features/predict_matches.hpp"
+#include "incognita/slam/mapper/bodies.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr double wide_rad = 1;              // of the pose before its matches correct it
+constexpr double velocity_share = 0.5;      // of velocity and rate, from two keyframes
+constexpr double least_rate_rad_s = 0.1;    // known no better
+constexpr double least_depths_per_s = 0.1;  // velocity, in median depths
+
+/// The landmark as it was when it began, but for the mean of its depth.
+void begin_again(Landmark& landmark, const Eigen::Vector3d& point, const BundleView& host,
+                 double sigma_direction, double sigma_inverse_depth, AnyBelief& belief) {
+  InverseDepthLandmark::State y;
+  y << host.position, point;
+  Eigen::Matrix<double, 6, 6> cov = Eigen::Matrix<double, 6, 6>::Zero();
+  cov.diagonal() << Eigen::Vector3d::Constant(1e-8), Eigen::Vector2d::Constant(std::pow(sigma_direction, 2)),
+      std::pow(sigma_inverse_depth, 2);
+  landmark.form.kind = LandmarkParametrization::Kind::inverse_depth;
+  landmark.form.initial_axes = host.world_from_camera;
+  belief.drop(landmark.block);
+  landmark.block = belief.augment(InverseDepthLandmark::chart, y, {}, cov);
+}
+
+void begin_landmarks_again(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& camera) {
+  const auto ray = camera.camera.unproject({0.5 * camera.camera.width(), 0.5 * camera.camera.height()});
+  const auto beside =
+      camera.camera.unproject({0.5 * camera.camera.width() + 1, 0.5 * camera.camera.height()});
+  const double per_px = ray && beside ? (*beside - *ray).norm() : 0.002;
+  std::vector<std::int64_t> others;
+  for (const auto& [id, feature] : camera.features) {
+    Landmark& landmark = estimate.landmarks.at(id);
+    if (landmark.fixed) continue;
+    if (const auto point = keyframes.point_in_first_view(id))
+      begin_again(landmark, *point, keyframes.first_view(), std::sqrt(camera.pixel_var()) * per_px,
+                  camera.settings.initialization.sigma_inverse_depth_per_m, estimate.belief);
+    else
+      others.push_back(id);
+  }
+  for (const std::int64_t id : others) remove_landmark(estimate, camera, id);
+}
+
+void put_camera(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& camera) {
+  const BundleView &now = keyframes.last_view(), &before = keyframes.view_before();
+  CameraState x = CameraState::Zero();
+  x.head<3>() = now.position;
+  x.segment<4>(3) = now.world_from_camera;
+  x.segment<3>(7) = (now.position - before.position) / keyframes.elapsed_s();
+  x.tail<3>() = quaternion_log(quaternion_product(quaternion_conjugate(before.world_from_camera),
+                                                  now.world_from_camera)) /
+                keyframes.elapsed_s();
+  const double median_depth = 1 / camera.settings.initialization.inverse_depth_per_m;
+  Eigen::Matrix<double, 12, 1> sigmas;
+  sigmas.head<3>().setConstant(wide_rad * median_depth);
+  sigmas.segment<3>(3).setConstant(wide_rad);
+  sigmas.segment<3>(6).setConstant(
+      std::max(velocity_share * x.segment<3>(7).norm(), least_depths_per_s * median_depth));
+  sigmas.tail<3>().setConstant(std::max(velocity_share * x.tail<3>().norm(), least_rate_rad_s));
+  put_body(estimate, camera.body, x, sigmas.cwiseAbs2().asDiagonal());
+  camera.view = viewpoint(estimate, camera);
+}
+
+}  // namespace
+
+void renew_map(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& camera) {
+  camera.sigma_pixel_px.reset();
+  begin_landmarks_again(keyframes, estimate, camera);
+  put_camera(keyframes, estimate, camera);
+  std::vector<LinearizedMeasurement> measurements;
+  std::erase_if(camera.matches,
+                [&](const FeatureMatch& match) { return !estimate.landmarks.contains(match.id); });
+  for (FeatureMatch& match : camera.matches)
+    if (match.outcome == MatchOutcome::matched)
+      measurements.push_back(relinearized_measurement(match, estimate, camera));
+  std::erase_if(measurements, [](const LinearizedMeasurement& m) { return m.part_count == 0; });
+  estimate.belief.update(measurements);
+  camera.view = viewpoint(estimate, camera);
+}
+
+}  // namespace incognita

@@ -1,0 +1,131 @@
+// The relative pose of two views, and bundle adjustment that starts from it where the filter went wrong.
+#include "incognita/slam/bundle/two_view_start.hpp"
+
+#include <limits>
+
+#include "incognita/slam/bundle/adjust_bundle.hpp"
+#include "incognita/slam/bundle/relative_pose.hpp"
+#include "tests/slam/synthetic_scene.hpp"
+
+namespace incognita::synthetic {
+namespace {
+
+const CameraState first = camera_at({0, 0, 1});
+
+struct Motion {
+  const char* name;
+  Eigen::Vector3d shift;  // m, world; the camera looks along x
+  Eigen::Vector3d turn;   // rad, camera axes
+};
+
+const std::vector<Motion> motions = {{"forward", {0.4, 0, 0}, {0, 0, 0}},
+                                     {"sideways", {0, 0.3, 0}, {0, 0, 0}},
+                                     {"forward with a turn", {0.4, 0.1, 0}, {0.01, 0.15, -0.02}},
+                                     {"backward", {-0.3, 0, 0.05}, {0, -0.05, 0.2}}};
+
+CameraState moved(const Motion& motion, double share) {
+  CameraState x = camera_at(share * motion.shift + Eigen::Vector3d(0, 0, 1), 0, share * motion.turn);
+  return x;
+}
+
+std::vector<Eigen::Vector3d> scattered_points(int count) {
+  RandomStream random(3, "points");
+  std::vector<Eigen::Vector3d> points;
+  while (static_cast<int>(points.size()) < count)
+    points.emplace_back(random.uniform(1.5, 5), random.uniform(-1.5, 1.5), random.uniform(0.2, 1.8));
+  return points;
+}
+
+/// Views at `0, 1/steps, ... 1` of the motion as a wrong filter has them: all where the first is, all depths alike.
+Bundle wrong_bundle(const Motion& motion, int steps, double noise_px, int outliers) {
+  RandomStream random(5, "noise");
+  Bundle bundle;
+  for (int k = 0; k <= steps; ++k) bundle.views.push_back({first.head<3>(), first.segment<4>(3), k == 0});
+  for (const Eigen::Vector3d& at : scattered_points(60)) {
+    BundlePoint point;
+    point.kind = BundlePoint::Kind::inverse_depth;
+    point.host = 0;
+    point.initial_axes = first.segment<4>(3);
+    point.prior_inverse_depth = point.sigma_prior_inverse_depth = 0.5;
+    const auto ray = camera.unproject(pixel_of(first, at));
+    point.value << ray->x(), ray->y(), 0.5;
+    const int index = static_cast<int>(bundle.points.size());
+    for (int k = 0; k <= steps; ++k) {
+      Eigen::Vector2d pixel = pixel_of(moved(motion, static_cast<double>(k) / steps), at);
+      pixel += noise_px * Eigen::Vector2d(random.normal(), random.normal());
+      if (k == steps && index < outliers) pixel += Eigen::Vector2d(30, -20);
+      bundle.observations.push_back({k, index, pixel, 0.25 * Eigen::Matrix2d::Identity()});
+    }
+    bundle.points.push_back(point);
+  }
+  return bundle;
+}
+
+TEST(RelativePose, IsThatOfTheRays) {
+  for (const Motion& motion : motions) {
+    const CameraState second = moved(motion, 1);
+    std::vector<Eigen::Vector3d> a, b;
+    for (const Eigen::Vector3d& at : scattered_points(40)) {
+      a.push_back(*camera.unproject(pixel_of(first, at)));
+      b.push_back(*camera.unproject(pixel_of(second, at)));
+    }
+    const auto pose = relative_pose(a, b, 1e-3);
+    ASSERT_TRUE(pose) << motion.name;
+    const Eigen::Matrix3d world_from_first = rotation_matrix<double>(free_camera::orientation(first));
+    const Eigen::Vector3d shift = world_from_first.transpose() * (second.head<3>() - first.head<3>());
+    EXPECT_GT(pose->direction.dot(shift.normalized()), 1 - 1e-6) << motion.name;
+    const Eigen::Matrix3d turn =
+        world_from_first.transpose() * rotation_matrix<double>(free_camera::orientation(second));
+    EXPECT_TRUE(rotation_matrix<double>(pose->first_from_second).isApprox(turn, 1e-5)) << motion.name;
+  }
+}
+
+TEST(RelativePose, NeedsEnoughRays) {
+  const std::vector<Eigen::Vector3d> few(7, Eigen::Vector3d::UnitZ());
+  EXPECT_FALSE(relative_pose(few, few, 1e-3));
+}
+
+void expect_last_view(const Bundle& bundle, const Motion& motion, double direction_rad, double turn_rad) {
+  const Eigen::Vector3d shift = bundle.views.back().position - Eigen::Vector3d(first.head<3>());
+  EXPECT_GT(shift.normalized().dot(motion.shift.normalized()), std::cos(direction_rad)) << motion.name;
+  const CameraState truth = moved(motion, 1);
+  const Eigen::Vector4d error = quaternion_product<double>(
+      quaternion_conjugate<double>(free_camera::orientation(truth)), bundle.views.back().world_from_camera);
+  EXPECT_LT(quaternion_log<double>(error).norm(), turn_rad) << motion.name;
+}
+
+TEST(TwoViewStart, IsNearTheTruthDespiteNoiseAndOutliers) {
+  for (const Motion& motion : motions) {
+    const auto start = two_view_start(wrong_bundle(motion, 3, 0.3, 6), camera);
+    ASSERT_TRUE(start) << motion.name;
+    expect_last_view(*start, motion, 0.2, 0.03);
+  }
+}
+
+TEST(TwoViewStart, LeadsAdjustmentToTheMinimum) {
+  for (const Motion& motion : motions) {
+    std::optional<Bundle> start = two_view_start(wrong_bundle(motion, 3, 0.3, 0), camera);
+    ASSERT_TRUE(start) << motion.name;
+    BundleEquations equations;
+    adjust(*start, camera, {.max_iterations = 20}, equations);
+    expect_last_view(*start, motion, 0.05, 0.01);
+  }
+}
+
+TEST(TwoViewStart, HasTheScaleOfThePriors) {
+  const auto start = two_view_start(wrong_bundle(motions[1], 1, 0, 0), camera);
+  ASSERT_TRUE(start);
+  std::vector<double> inverse_depths;
+  for (const BundlePoint& point : start->points) inverse_depths.push_back(point.value[2]);
+  std::nth_element(inverse_depths.begin(), inverse_depths.begin() + 30, inverse_depths.end());
+  EXPECT_NEAR(inverse_depths[30], 0.5, 0.02);
+}
+
+TEST(TwoViewStart, IsNothingWithoutSharedPoints) {
+  Bundle bundle = wrong_bundle(motions[0], 2, 0, 0);
+  std::erase_if(bundle.observations, [](const BundleObservation& seen) { return seen.view == 2; });
+  EXPECT_FALSE(two_view_start(bundle, camera));
+}
+
+}  // namespace
+}  // namespace incognita::synthetic

@@ -7,8 +7,9 @@
 namespace incognita::synthetic {
 namespace {
 
-/// The estimate after 300 frames of 40 matches with this noise, of which a share is off by 20 px.
-double estimated_px(double sigma_px, double outliers) {
+/// What is estimated after 300 frames of 40 matches with this noise, of which a share is off by 20 px. The errors of a landmark in
+/// successive frames have this correlation.
+TrackedCamera after_frames(double sigma_px, double outliers, double correlation = 0) {
   RandomStream random(1, "noise");
   Tracking t(camera_at({0, 0, 1}), 1e-4 * CameraCov::Identity());
   for (int i = 0; i < 40; ++i) {
@@ -20,20 +21,40 @@ double estimated_px(double sigma_px, double outliers) {
     t.estimate.landmarks.emplace(i, landmark);
   }
   PixelNoise noise;
+  std::vector<Eigen::Vector2d> errors(40, Eigen::Vector2d::Zero());
   for (int frame = 0; frame < 300; ++frame) {
     t.tracked.matches.clear();
     for (const auto& [id, landmark] : t.estimate.landmarks) {
       FeatureMatch match{};
       match.id = id;
       match.outcome = MatchOutcome::matched;
-      const Eigen::Vector2d error(random.normal(), random.normal());
+      Eigen::Vector2d& error = errors[static_cast<std::size_t>(id)];
+      const Eigen::Vector2d white(random.normal(), random.normal());
+      error = correlation * error + std::sqrt(1 - correlation * correlation) * white;
       match.measured = pixel_of(t.tracked.view.camera, landmark.position) + sigma_px * error;
       if (random.uniform(0, 1) < outliers) *match.measured += Eigen::Vector2d(20, 0);
       t.tracked.matches.push_back(match);
     }
     noise.update(t.estimate, t.tracked);
   }
-  return t.tracked.sigma_pixel_px.value();
+  return t.tracked;
+}
+
+double estimated_px(double sigma_px, double outliers) {
+  return after_frames(sigma_px, outliers).sigma_pixel_px.value();
+}
+
+TEST(PixelNoise, OfWhiteErrorsDoesNotLast) { EXPECT_NEAR(after_frames(0.5, 0).lasting_factor, 1, 0.1); }
+
+TEST(PixelNoise, LastsByTheCorrelationOfSuccessiveErrors) {
+  for (const double r : {0.5, 0.8, 0.9})
+    EXPECT_NEAR(after_frames(0.5, 0, r).lasting_factor / ((1 + r) / (1 - r)), 1, 0.25) << r;
+}
+
+TEST(PixelNoise, LastsAtMost39Times) { EXPECT_NEAR(after_frames(0.5, 0, 0.999).lasting_factor, 39, 1e-9); }
+
+TEST(PixelNoise, OfOutliersIsNotPartOfWhatLasts) {
+  EXPECT_NEAR(after_frames(0.5, 0.1).lasting_factor, 1, 0.15);
 }
 
 TEST(PixelNoise, IsThatOfTheMatches) {

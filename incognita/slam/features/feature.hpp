@@ -137,6 +137,7 @@ struct TrackedCamera {
   int most_measurements() const {
     return settings.search.max_measurements > 0 ? settings.search.max_measurements : max_measurements;
   }
+  double lasting_factor = 1;  ///< of the variance of a match in the correction: its error lasts, PixelNoise
   std::optional<double> sigma_pixel_px = {};  ///< as estimated from the matches; none: as in the settings
   double pixel_var() const { return std::pow(sigma_pixel_px.value_or(settings.filter.sigma_pixel_px), 2); }
 };

@@ -177,11 +177,20 @@ double FeatureTracker::found_share() const {
 
 bool FeatureTracker::finds_enough() const { return found_share() >= 0.6 * found_share_; }
 
+/// A measurement of a match with the noise that many of them have together.
+LinearizedMeasurement FeatureTracker::with_lasting(LinearizedMeasurement measurement,
+                                                   const FeatureMatch& match) const {
+  if (measurement.part_count > 0)
+    measurement.R.diagonal().array() += (camera_.lasting_factor - 1) * match_var(match, camera_);
+  return measurement;
+}
+
 void FeatureTracker::append_measurements(const Estimate& estimate,
                                          std::vector<LinearizedMeasurement>& measurements) const {
   for (const FeatureMatch& match : camera_.matches)
     if (match.outcome == MatchOutcome::matched)
-      measurements.push_back(linearized_measurement(match, estimate.landmarks.at(match.id), camera_));
+      measurements.push_back(
+          with_lasting(linearized_measurement(match, estimate.landmarks.at(match.id), camera_), match));
 }
 
 void FeatureTracker::append_relinearized(const Estimate& estimate, const AnyMotion& motion,
@@ -189,7 +198,7 @@ void FeatureTracker::append_relinearized(const Estimate& estimate, const AnyMoti
   camera_.view = viewpoint(estimate, camera_, motion);
   for (const FeatureMatch& match : camera_.matches)
     if (match.outcome == MatchOutcome::matched)
-      measurements.push_back(relinearized_measurement(match, estimate, camera_));
+      measurements.push_back(with_lasting(relinearized_measurement(match, estimate, camera_), match));
 }
 
 void FeatureTracker::discard_matches() {

@@ -119,6 +119,7 @@ class FeatureTracker {
   void add_new_landmarks_to_keyframe(std::int64_t newest);
   void update_median_depth();
   double found_share() const;
+  LinearizedMeasurement with_lasting(LinearizedMeasurement measurement, const FeatureMatch& match) const;
 
   TrackedCamera camera_;
   CameraPlacement placement_;

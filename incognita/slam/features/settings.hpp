@@ -30,7 +30,8 @@ struct FilterSettings {
             "Standard deviation of one measured image position, per axis");
     setting(
         &S::adapt_sigma_pixel, "adapt_sigma_pixel", "", any(),
-        "Whether `sigma_pixel_px` is only the first value, and follows the residuals of the matches, 0.25 to 2 px");
+        "Whether `sigma_pixel_px` is only the first value, and follows the residuals of the matches, 0.25 to 2 px; in the "
+        "correction it is larger by as much as they are correlated in time");
     setting(&S::sigma_start_velocity_m_s, "sigma_velocity_m_s", "m/s", between(0, 1e4),
             "Standard deviation of the initial velocity, per axis");
     setting(&S::sigma_start_angular_rate_rad_s, "sigma_angular_rate_rad_s", "rad/s", between(0, 1e4),

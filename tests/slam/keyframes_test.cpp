@@ -144,6 +144,33 @@ TEST(Keyframes, CorrectTheVelocityByTheChangeBetweenTheLastTwo) {
   EXPECT_LT((after.segment<3>(7) - (pose_at(5) - pose_at(4)).head<3>() / keyframe_s).norm(), 0.02);
 }
 
+/// Both were turned by the same error about an axis of the world: the rate is in camera axes, and right.
+TEST(Keyframes, LeaveTheRateWhereTheLastTwoWereTurnedTogether) {
+  Scene scene(0);
+  scene.run(3, 15, 0);
+  const CameraState truth = camera_at(pose_at(4).head<3>(), 0, {0, 0, 0.5});
+  std::vector<KeyframeMatch> matches;
+  for (int i = 0; i < Scene::points; ++i)
+    matches.push_back(
+        {i, pixel_of(truth, scene.truth[static_cast<std::size_t>(i)]), 0.25 * Eigen::Matrix2d::Identity()});
+  CameraState believed = truth;
+  believed.tail<3>() << 0, 0, 0.5 / keyframe_s;
+  scene.t.move_to(believed);
+  scene.keyframes.add(scene.t.estimate, scene.t.camera_block(), matches, 4 * keyframe_s);
+  scene.keyframes.adjust(scene.t.estimate, scene.t.camera_block(), camera, {.max_iterations = 20}, {0.5, 0.5},
+                         15);
+  const CameraState after = scene.t.estimate.belief.mean(scene.t.camera_block());
+  EXPECT_LT((after.tail<3>() - believed.tail<3>()).norm(), 0.01);
+}
+
+TEST(Keyframes, AreNoStartAfterTheyBeganInTheMiddle) {
+  Scene scene(0);
+  scene.run(1, 15, 0);
+  EXPECT_TRUE(scene.keyframes.is_starting());
+  scene.keyframes.start(pose_at(1), 1e-4 * Eigen::Matrix<double, 6, 6>::Identity(), 0);
+  EXPECT_FALSE(scene.keyframes.is_starting());
+}
+
 TEST(Keyframes, KeepFewOldViewsInALongRun) {
   Scene scene(0);
   scene.run(60, 4, 0.001);

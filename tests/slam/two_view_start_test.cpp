@@ -127,5 +127,26 @@ TEST(TwoViewStart, IsNothingWithoutSharedPoints) {
   EXPECT_FALSE(two_view_start(bundle, camera));
 }
 
+TEST(TwoViewStart, IsNothingWhereAPointIsKnown) {
+  Bundle bundle = wrong_bundle(motions[0], 2, 0, 0);
+  bundle.points[0].kind = BundlePoint::Kind::fixed;
+  EXPECT_FALSE(two_view_start(bundle, camera));
+}
+
+/// A point that began in the second view has its ray in the axes of where that view is now.
+TEST(TwoViewStart, PutsPointsOfLaterViewsOnTheirRays) {
+  Bundle bundle = wrong_bundle(motions[2], 2, 0, 0);
+  BundlePoint& point = bundle.points[5];
+  point.host = 1;
+  point.value << 9, 9, 9;
+  std::erase_if(bundle.observations,
+                [](const BundleObservation& seen) { return seen.point == 5 && seen.view == 0; });
+  const auto start = two_view_start(bundle, camera);
+  ASSERT_TRUE(start);
+  const auto ray = camera.unproject(pixel_of(moved(motions[2], 0.5), scattered_points(60)[5]));
+  EXPECT_LT((start->points[5].value - Eigen::Vector3d(ray->x(), ray->y(), 0.5)).norm(), 1e-9);
+  EXPECT_EQ(start->points[5].initial_axes, start->views[1].world_from_camera);
+}
+
 }  // namespace
 }  // namespace incognita::synthetic

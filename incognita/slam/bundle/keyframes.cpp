@@ -77,7 +77,9 @@ void move_landmark(AnyBelief& belief, const Landmark& landmark, const BundlePoin
 void Keyframes::start(const CameraState& camera, const Eigen::Matrix<double, 6, 6>& cov, double t) {
   views_.clear();
   views_[0] = view_of(camera);
-  views_[0].fixed = cov.diagonal().minCoeff() < least_prior_var;
+  views_[0].fixed = cov.diagonal().maxCoeff() < least_prior_var;
+  begins_ = views_[0].fixed;
+  cost_ = 0;
   first_view_ = views_[0];
   first_view_cov_ = cov;
   tracks_.clear();
@@ -98,7 +100,7 @@ bool Keyframes::is_due(const std::vector<KeyframeMatch>& matches, const Keyframe
     squares += (match.pixel - known->second.seen.back().pixel).squaredNorm();
     ++moved;
   }
-  return static_cast<double>(matches.size()) < policy.min_matched_share * in_last ||
+  return moved == 0 || static_cast<double>(matches.size()) < policy.min_matched_share * in_last ||
          squares > moved * policy.min_motion_px * policy.min_motion_px;
 }
 
@@ -204,12 +206,21 @@ void Keyframes::take_bundle() {
     view.position = bundle_.views[i].position;
     view.world_from_camera = bundle_.views[i].world_from_camera;
   }
-  for (std::size_t i = 0; i < ids_.size(); ++i) tracks_.at(ids_[i]).point->value = bundle_.points[i].value;
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    BundlePoint& point = *tracks_.at(ids_[i]).point;
+    point.value = bundle_.points[i].value;
+    point.initial_axes = bundle_.points[i].initial_axes;
+  }
 }
 
 void Keyframes::move_means(Estimate& estimate, BlockId body, const BundleView& before) const {
   const BundleView last = view_of(estimate.belief.mean(body));
-  const ViewShift relative = shift_of(last, last_view()) - shift_of(before, view_before());
+  const ViewShift now = shift_of(last, last_view()), earlier = shift_of(before, view_before());
+  const Eigen::Matrix3d last_from_before =
+      rotation_matrix<double>(last_view().world_from_camera).transpose() *
+      rotation_matrix<double>(view_before().world_from_camera);
+  ViewShift relative = now - earlier;
+  relative.tail<3>() = now.tail<3>() - last_from_before * earlier.tail<3>();  // the rate is in camera axes
   move_camera(estimate.belief, body, last_view(), relative, elapsed_s());
   for (const std::int64_t id : ids_) {
     const auto landmark = estimate.landmarks.find(id);
@@ -229,18 +240,23 @@ AdjustmentReport Keyframes::adjust(Estimate& estimate, BlockId body, const Camer
   add_views(first_free);
   add_points(estimate, prior, first_free);
   const AdjustmentReport report = incognita::adjust(bundle_, camera, settings, equations_);
-  if (report.outcome == AdjustmentReport::Outcome::refused) return report;
-  cost_ = report.last_cost;
+  const bool is_refused = report.outcome == AdjustmentReport::Outcome::refused;
+  cost_ = is_refused ? report.first_cost : report.last_cost;
+  window_ = window;
+  if (is_refused) return report;
   const BundleView before = view_before();
   take_bundle();
   move_means(estimate, body, before);
   return report;
 }
 
+bool Keyframes::is_starting() const {
+  return begins_ && last() < std::min(max_start_views, window_) && views_.begin()->first == 0;
+}
+
 bool Keyframes::start_again(const Camera& camera, const AdjustmentSettings& settings) {
-  const bool is_start = last() < max_start_views && views_.begin()->first == 0 && views_.at(0).fixed;
   // Noise alone costs half of the rows
-  if (!is_start || cost_ < static_cast<double>(bundle_.observations.size())) return false;
+  if (!is_starting() || cost_ < static_cast<double>(bundle_.observations.size())) return false;
   std::optional<Bundle> other = two_view_start(bundle_, camera);
   if (!other) return false;
   const AdjustmentReport report = incognita::adjust(*other, camera, settings, equations_);

@@ -22,7 +22,7 @@ struct KeyframeMatch {
 };
 
 /// When a frame becomes a keyframe: after `min_frames`, once the matched features moved by `min_motion_px` (rms) since the
-/// last keyframe, or are less than `min_matched_share` of its features.
+/// last keyframe, or none of its features is matched, or the matches are fewer than `min_matched_share` of its features.
 struct KeyframePolicy {
   int min_frames = 3;
   double min_motion_px = 20;
@@ -36,8 +36,8 @@ struct DepthPrior {
 
 class Keyframes {
  public:
-  /// Forgets all, and begins at time `t`, s, with a camera pose of this covariance, which is fixed where that is zero: it gives the frame of the
-  /// world.
+  /// Forgets all, and begins at time `t`, s, with a camera pose of this covariance. If that is that of an origin, next to zero, the pose is fixed
+  /// and gives the frame of the world.
   void start(const CameraState& camera, const Eigen::Matrix<double, 6, 6>& cov, double t);
 
   /// Counts a frame with these matches.
@@ -56,7 +56,9 @@ class Keyframes {
   AdjustmentReport adjust(Estimate& estimate, BlockId body, const Camera& camera,
                           const AdjustmentSettings& settings, const DepthPrior& prior, int window);
 
-  /// For the last keyframe among the first ones: starts another adjustment from the relative pose of the first and the last
+  /// Whether the last keyframe is among the first ones since an origin.
+  bool is_starting() const;
+  /// For one of those: starts another adjustment from the relative pose of the first and the last
   /// view. True if that fits the matches far better; the keyframes and points are then its own, and the belief is to be
   /// renewed from them.
   bool start_again(const Camera& camera, const AdjustmentSettings& settings);
@@ -108,6 +110,8 @@ class Keyframes {
   std::map<int, int> indices_;     ///< of the views, by number
   std::vector<std::int64_t> ids_;  ///< of its points
   double cost_ = 0;
+  int window_ = 2;
+  bool begins_ = false;  ///< since start(): the first view is an origin
   BundleEquations equations_;
 };
 

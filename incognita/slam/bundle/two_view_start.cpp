@@ -63,9 +63,24 @@ void place_views(std::vector<BundleView>& views, const RelativePose& pose, doubl
   }
 }
 
+/// Each point on the ray of its host, at this inverse depth.
+void put_on_rays(Bundle& bundle, const Camera& camera, double inverse_depth) {
+  for (const BundleObservation& seen : bundle.observations) {
+    BundlePoint& point = bundle.points[static_cast<std::size_t>(seen.point)];
+    if (point.kind != BundlePoint::Kind::inverse_depth || seen.view != point.host) continue;
+    if (const auto ray = camera.unproject(seen.pixel)) point.value.head<2>() = ray->head<2>();
+    point.initial_axes = bundle.views[static_cast<std::size_t>(seen.view)].world_from_camera;
+    point.value[2] = inverse_depth;
+  }
+}
+
 }  // namespace
 
 std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera) {
+  if (std::ranges::any_of(bundle.points, [](const BundlePoint& point) {
+        return point.kind != BundlePoint::Kind::inverse_depth;
+      }))
+    return std::nullopt;
   const SharedPoints shared = shared_points(bundle, camera);
   const auto center = camera.unproject({0.5 * camera.width(), 0.5 * camera.height()});
   const auto beside = camera.unproject({0.5 * camera.width() + 1, 0.5 * camera.height()});
@@ -73,15 +88,16 @@ std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera) {
   const auto pose = relative_pose(shared.first, shared.last, tolerance_px * (*beside - *center).norm());
   if (!pose || pose->inliers < least_inlier_share * static_cast<double>(shared.points.size()))
     return std::nullopt;
-  std::vector<double> inverse_depths;
-  for (std::size_t i = 0; i < shared.points.size(); ++i)
+  std::vector<double> inverse_depths, priors;
+  for (std::size_t i = 0; i < shared.points.size(); ++i) {
     inverse_depths.push_back(inverse_depth(*pose, shared.first[i], shared.last[i]));
+    priors.push_back(bundle.points[static_cast<std::size_t>(shared.points[i])].prior_inverse_depth);
+  }
   const double per_baseline = median(inverse_depths);
-  if (!(per_baseline > 0)) return std::nullopt;
-  const double wanted = bundle.points[static_cast<std::size_t>(shared.points.front())].prior_inverse_depth;
+  const double wanted = median(priors);
+  if (!(per_baseline > 0 && wanted > 0)) return std::nullopt;
   place_views(bundle.views, *pose, per_baseline / wanted);
-  for (BundlePoint& point : bundle.points)
-    if (point.kind == BundlePoint::Kind::inverse_depth) point.value[2] = wanted;
+  put_on_rays(bundle, camera, wanted);
   for (std::size_t i = 0; i < shared.points.size(); ++i)
     bundle.points[static_cast<std::size_t>(shared.points[i])].value[2] =
         wanted * std::clamp(inverse_depths[i] / per_baseline, least_share_of_median, most_times_median);

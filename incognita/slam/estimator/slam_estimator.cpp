@@ -178,42 +178,37 @@ void SlamEstimator::predict(Estimate& e, const Command& command, const Observati
   }
 }
 
-/// A camera that moves freely and turned by more than its motion model allows is turned by as much as the whole image did, with
-/// an uncertainty of that size; part of it may be translation. Whether it did.
-bool SlamEstimator::add_unexpected_turn(Estimate& e, FeatureTracker& camera, double dt) {
+/// Predicts the features of a camera. A camera that moves freely and turned by more than its motion model allows is turned by
+/// as much as the whole image did, with an uncertainty of that size; part of it may be translation.
+void SlamEstimator::predict_features(Estimate& e, FeatureTracker& camera, double dt) {
+  const bool was_lost = bodies_[camera.camera().body].was_lost;
+  if (!was_lost) camera.align(e, motion_of(camera));
+  camera.predict(e, motion_of(camera));
+  if (was_lost) return;
   const std::optional<Eigen::Vector3d> turn = camera.unexpected_turn();
-  if (!turn) return false;
+  if (!turn || camera.camera().mount || !(dt > 0)) return;
   constexpr double translation_share = 0.5;  // of the image motion, in standard deviations of the turn
   const double rad = turn->norm();
   add_jump(e, camera.camera().body, *turn, translation_share * rad * camera.camera().median_depth_m, rad, dt);
   camera.align(e, motion_of(camera));
   camera.predict(e, motion_of(camera));
-  return true;
 }
 
-/// Finds the features in an image. If that fails because the camera turned unexpectedly, searches once more.
-void SlamEstimator::match_image(Estimate& e, FeatureTracker& camera, double dt, StageClock& stage) {
-  const bool was_lost = bodies_[camera.camera().body].was_lost;
-  const bool may_jump = !was_lost && !camera.camera().mount && dt > 0;
-  if (!was_lost) camera.align(e, motion_of(camera));
-  camera.predict(e, motion_of(camera));
-  for (bool again = false;; again = true) {
-    stage.mark("predict");
-    camera.search();
-    stage.mark("search");
-    camera.add_plane_uncertainty();
-    stage.mark("planes");
-    camera.reject_outliers(e);
-    stage.mark("consensus");
-    if (again || !may_jump || camera.finds_enough() || !add_unexpected_turn(e, camera, dt)) break;
-  }
-  // Few matches of a lost camera may be false
-  const int enough = std::min(settings_.health.min_matches_to_relocate, camera.camera().most_measurements());
-  if (was_lost && camera.matched() < enough) camera.discard_matches();
-}
-
+/// Finds the features in the images. Of a lost body only enough matches count, since few may be false.
 void SlamEstimator::match_images(Estimate& e, const Tick& tick, StageClock& stage) {
-  for (FeatureTracker& camera : cameras_) match_image(e, camera, tick.dt, stage);
+  for (FeatureTracker& camera : cameras_) predict_features(e, camera, tick.dt);
+  stage.mark("predict");
+  for (FeatureTracker& camera : cameras_) camera.search();
+  stage.mark("search");
+  for (FeatureTracker& camera : cameras_) camera.add_plane_uncertainty();
+  stage.mark("planes");
+  for (FeatureTracker& camera : cameras_) {
+    camera.reject_outliers(e);
+    const int enough =
+        std::min(settings_.health.min_matches_to_relocate, camera.camera().most_measurements());
+    if (bodies_[camera.camera().body].was_lost && camera.matched() < enough) camera.discard_matches();
+  }
+  stage.mark("consensus");
   for (FeatureTracker& camera : cameras_)
     if (bodies_[camera.camera().body].was_lost && searches_whole_map(camera)) find_in_map(e, camera);
   stage.mark("relocalize");

@@ -48,8 +48,7 @@ class SlamEstimator final : public Estimator {
   void note_lost(const Estimate& estimate);
   bool carries_camera(std::size_t body) const;
   void predict(Estimate& estimate, const Command& command, const Observation& observation, const Tick& tick);
-  bool add_unexpected_turn(Estimate& estimate, FeatureTracker& camera, double dt);
-  void match_image(Estimate& estimate, FeatureTracker& camera, double dt, StageClock& stage);
+  void predict_features(Estimate& estimate, FeatureTracker& camera, double dt);
   void match_images(Estimate& estimate, const Tick& tick, StageClock& stage);
   bool searches_whole_map(const FeatureTracker& camera) const;
   void find_in_map(Estimate& estimate, FeatureTracker& camera);

@@ -168,15 +168,6 @@ void FeatureTracker::reject_outliers(const Estimate& estimate) {
   if (sees_) incognita::reject_outliers(estimate, camera_);
 }
 
-/// Of the searched features of this frame; 1 without any.
-double FeatureTracker::found_share() const {
-  const auto searched = std::ranges::count_if(
-      camera_.matches, [](const FeatureMatch& match) { return match.outcome != MatchOutcome::not_searched; });
-  return searched > 0 ? static_cast<double>(camera_.matched) / static_cast<double>(searched) : 1;
-}
-
-bool FeatureTracker::finds_enough() const { return found_share() >= 0.6 * found_share_; }
-
 /// A measurement of a match with the noise that many of them have together.
 LinearizedMeasurement FeatureTracker::with_lasting(LinearizedMeasurement measurement,
                                                    const FeatureMatch& match) const {
@@ -211,7 +202,6 @@ void FeatureTracker::after_correction(const Estimate& estimate, const AnyMotion&
   camera_.view = viewpoint(estimate, camera_, motion);
   if (sees_) before_ = camera_.view.camera;
   if (camera_.settings.filter.adapt_sigma_pixel) pixel_noise_.update(estimate, camera_);
-  found_share_ += 0.1 * (found_share() - found_share_);
   update_median_depth();
   estimate_patch_planes(estimate, camera_);
   if (sees_ && camera_.settings.relocalization.whole_map)
@@ -296,7 +286,8 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
                          match_var(match, camera_) * Eigen::Matrix2d::Identity() + match.plane_cov});
   const KeyframePolicy policy{settings.min_frames, settings.min_motion_share * camera_.camera.width(),
                               settings.min_matched_share};
-  if (keyframes_.moved_px(estimate, camera_.view.camera, camera_.camera) > most_moved_px) {
+  if (!keyframes_.is_starting() &&
+      keyframes_.moved_px(estimate, camera_.view.camera, camera_.camera) > most_moved_px) {
     keyframes_.start(camera_.view.camera, pose_cov(estimate), estimate.bodies[camera_.body].t);
     keyframes_.add_matches(estimate, camera_.view.body, matches);
     return false;
@@ -310,7 +301,10 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
   keyframes_.adjust(estimate, camera_.view.body, camera_.camera, adjustment,
                     {initialization.inverse_depth_per_m, initialization.sigma_inverse_depth_per_m},
                     settings.window);
-  if (keyframes_.start_again(camera_.camera, adjustment)) renew_map(keyframes_, estimate, camera_);
+  if (keyframes_.start_again(camera_.camera, adjustment)) {
+    renew_map(keyframes_, estimate, camera_);
+    pixel_noise_ = {};
+  }
   camera_.view = viewpoint(estimate, camera_, motion);
   before_ = camera_.view.camera;
   return true;

@@ -67,8 +67,6 @@ class FeatureTracker {
   /// Adds the noise of patches whose plane is not known yet.
   void add_plane_uncertainty();
   void reject_outliers(const Estimate& estimate);
-  /// Whether the share of the searched features that were found is at least 60 % of what it was of late.
-  bool finds_enough() const;
   /// The inliers, linearized at the prediction.
   void append_measurements(const Estimate& estimate, std::vector<LinearizedMeasurement>& measurements) const;
   /// The same, linearized at the current means; without parts where a measurement is not defined.
@@ -118,7 +116,6 @@ class FeatureTracker {
   Eigen::Matrix<double, 6, 6> pose_cov(const Estimate& estimate) const;
   void add_new_landmarks_to_keyframe(std::int64_t newest);
   void update_median_depth();
-  double found_share() const;
   LinearizedMeasurement with_lasting(LinearizedMeasurement measurement, const FeatureMatch& match) const;
 
   TrackedCamera camera_;
@@ -131,7 +128,6 @@ class FeatureTracker {
   SmallImage small_, small_before_;
   std::vector<Eigen::Vector3d> small_rays_, predicted_rays_;
   std::optional<CameraState> before_;  ///< when small_before_ was taken
-  double found_share_ = 1;             ///< of the searched features, averaged
   std::vector<double> distances_;      ///< workspace
   bool sees_ = false;
   bool has_map_ = false;  ///< since start_map()

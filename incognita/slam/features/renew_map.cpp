@@ -35,9 +35,12 @@ void begin_landmarks_again(const Keyframes& keyframes, Estimate& estimate, Track
       camera.camera.unproject({0.5 * camera.camera.width() + 1, 0.5 * camera.camera.height()});
   const double per_px = ray && beside ? (*beside - *ray).norm() : 0.002;
   std::vector<std::int64_t> others;
-  for (const auto& [id, feature] : camera.features) {
+  for (auto& [id, feature] : camera.features) {
     Landmark& landmark = estimate.landmarks.at(id);
     if (landmark.fixed) continue;
+    feature.described.clear();  // from poses that were wrong, as were the searches
+    feature.attempts = 0;
+    feature.recent_attempts = feature.recent_matches = 0;
     if (const auto point = keyframes.point_in_first_view(id))
       begin_again(landmark, *point, keyframes.first_view(), std::sqrt(camera.pixel_var()) * per_px,
                   camera.settings.initialization.sigma_inverse_depth_per_m, estimate.belief);
@@ -52,10 +55,11 @@ void put_camera(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& c
   CameraState x = CameraState::Zero();
   x.head<3>() = now.position;
   x.segment<4>(3) = now.world_from_camera;
-  x.segment<3>(7) = (now.position - before.position) / keyframes.elapsed_s();
+  const double elapsed_s = std::max(keyframes.elapsed_s(), 1e-3);
+  x.segment<3>(7) = (now.position - before.position) / elapsed_s;
   x.tail<3>() = quaternion_log(quaternion_product(quaternion_conjugate(before.world_from_camera),
                                                   now.world_from_camera)) /
-                keyframes.elapsed_s();
+                elapsed_s;
   const double median_depth = 1 / camera.settings.initialization.inverse_depth_per_m;
   Eigen::Matrix<double, 12, 1> sigmas;
   sigmas.head<3>().setConstant(wide_rad * median_depth);
@@ -71,6 +75,8 @@ void put_camera(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& c
 
 void renew_map(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& camera) {
   camera.sigma_pixel_px.reset();
+  camera.lasting_factor = 1;
+  camera.median_depth_m = 1 / camera.settings.initialization.inverse_depth_per_m;
   begin_landmarks_again(keyframes, estimate, camera);
   put_camera(keyframes, estimate, camera);
   std::vector<LinearizedMeasurement> measurements;

@@ -8,7 +8,7 @@
 namespace incognita {
 
 /// Landmarks that began in the first keyframe start anew, with the inverse depths of the keyframes as means and the uncertainty
-/// of new landmarks; others are removed. The camera, which must be the body itself, has the pose of the last keyframe, and the
+/// of new landmarks; others are removed. The camera, which must be the body itself, is set to the pose of the last keyframe, and has the
 /// velocity and rate from the one before it. The matches of the frame, the last keyframe, then correct
 /// the belief.
 void renew_map(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& camera);

@@ -182,7 +182,7 @@ const std::string hall =
     "[camera]\nmodel = \"pinhole\"\nwidth_px = 620\nheight_px = 188\nfu_px = 359\nfv_px = 359\nu0_px = 303.5\n"
     "v0_px = 92.5\n[decision]\nstrategy = \"none\"\n";
 
-/// From a free start at the default settings. Without another start of the map the errors were 0.8 to 1.9 m, median 1.0 m.
+/// From a free start at the default settings. Without another start of the map the errors are 0.8 to 1.9 m, median 1.1 m.
 TEST_F(RoomMotion, OfACarIsTrackedFromTheFirstImage) {
   scratch_.write("hand.tum", driving());
   std::vector<double> errors_m;

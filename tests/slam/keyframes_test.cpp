@@ -144,23 +144,33 @@ TEST(Keyframes, CorrectTheVelocityByTheChangeBetweenTheLastTwo) {
   EXPECT_LT((after.segment<3>(7) - (pose_at(5) - pose_at(4)).head<3>() / keyframe_s).norm(), 0.02);
 }
 
-/// Both were turned by the same error about an axis of the world: the rate is in camera axes, and right.
+/// The last two keyframes are turned by the same error about an axis of the world, and the camera rolls between them: its rate,
+/// in camera axes, is right and stays.
 TEST(Keyframes, LeaveTheRateWhereTheLastTwoWereTurnedTogether) {
   Scene scene(0);
-  scene.run(3, 15, 0);
-  const CameraState truth = camera_at(pose_at(4).head<3>(), 0, {0, 0, 0.5});
-  std::vector<KeyframeMatch> matches;
-  for (int i = 0; i < Scene::points; ++i)
-    matches.push_back(
-        {i, pixel_of(truth, scene.truth[static_cast<std::size_t>(i)]), 0.25 * Eigen::Matrix2d::Identity()});
-  CameraState believed = truth;
-  believed.tail<3>() << 0, 0, 0.5 / keyframe_s;
-  scene.t.move_to(believed);
-  scene.keyframes.add(scene.t.estimate, scene.t.camera_block(), matches, 4 * keyframe_s);
+  scene.run(2, 15, 0);
+  const Eigen::Vector4d error = quaternion_exp<double>(Eigen::Vector3d(0, 0.03, 0));
+  const Eigen::Vector3d rate(0, 0, 0.5 / keyframe_s);
+  for (int k : {3, 4}) {
+    const CameraState truth = camera_at(pose_at(k).head<3>(), 0, {0, 0, k == 4 ? 0.5 : 0.0});
+    std::vector<KeyframeMatch> matches;
+    for (int i = 0; i < Scene::points; ++i)
+      matches.push_back(
+          {i, pixel_of(truth, scene.truth[static_cast<std::size_t>(i)]), 0.25 * Eigen::Matrix2d::Identity()});
+    CameraState believed = truth;
+    believed.segment<4>(3) = quaternion_product<double>(error, free_camera::orientation(truth));
+    believed.tail<3>() = rate;
+    scene.t.move_to(believed);
+    scene.keyframes.add(scene.t.estimate, scene.t.camera_block(), matches, k * keyframe_s);
+  }
   scene.keyframes.adjust(scene.t.estimate, scene.t.camera_block(), camera, {.max_iterations = 20}, {0.5, 0.5},
                          15);
   const CameraState after = scene.t.estimate.belief.mean(scene.t.camera_block());
-  EXPECT_LT((after.tail<3>() - believed.tail<3>()).norm(), 0.01);
+  const Eigen::Vector4d left =
+      quaternion_product<double>(quaternion_conjugate<double>(free_camera::orientation(after)),
+                                 camera_at({0, 0, 0}, 0, {0, 0, 0.5}).segment<4>(3));
+  EXPECT_LT(quaternion_log<double>(left).norm(), 1e-3) << "the error is corrected";
+  EXPECT_LT((after.tail<3>() - rate).norm(), 0.01);
 }
 
 TEST(Keyframes, AreNoStartAfterTheyBeganInTheMiddle) {

@@ -9,8 +9,6 @@ namespace {
 
 const CameraState host = camera_at({0.3, -0.2, 1.1}, 0.2, {0.1, -0.05, 0.3});
 
-BundleView view_of(const CameraState& x) { return {x.head<3>(), x.segment<4>(3)}; }
-
 Landmark point_at(Estimate& estimate, const Eigen::Vector3d& position) {
   Landmark landmark;
   landmark.block = estimate.belief.augment(

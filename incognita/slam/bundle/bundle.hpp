@@ -17,6 +17,8 @@ struct BundleView {
   bool fixed = false;                             ///< known, not estimated
 };
 
+inline BundleView view_of(const CameraState& camera) { return {camera.head<3>(), camera.segment<4>(3)}; }
+
 /// A landmark (3 errors).
 struct BundlePoint {
   enum class Kind {

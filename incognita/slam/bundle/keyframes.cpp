@@ -26,8 +26,6 @@ constexpr double least_inverse_depth = 1e-6;
 /// Of a prior of the first view, m^2 and rad^2: with less it is fixed.
 constexpr double least_prior_var = 1e-7;
 
-BundleView view_of(const CameraState& camera) { return {camera.head<3>(), camera.segment<4>(3)}; }
-
 /// The vector from `from` to a point in inverse depth, times its inverse depth, world axes: finite at infinity.
 Eigen::Vector3d scaled_vector(const BundlePoint& point, const Eigen::Vector3d& host,
                               const Eigen::Vector3d& from) {

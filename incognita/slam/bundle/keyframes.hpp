@@ -1,8 +1,8 @@
 // Keyframes: frames whose camera poses and matches are kept, so that they and the landmarks can be estimated anew.
 // The filter linearizes each measurement once, when poses and depths may still be poorly known. Bundle adjustment over the
 // last keyframes linearizes all of their measurements at their common estimate; older keyframes stay where they are. The means
-// of the belief then move to those of the adjustment. Its covariance stays: it is of the same measurements, and more of
-// them, so that nothing is counted twice.
+// of the belief then move to those of the adjustment. Its covariance stays that of the filter, from nearly the same
+// measurements. This is an approximation: depth priors of landmarks that began between keyframes are the belief's.
 #pragma once
 
 #include <cstdint>

@@ -5,8 +5,6 @@
 namespace incognita {
 namespace {
 
-BundleView view_of(const CameraState& camera) { return {camera.head<3>(), camera.segment<4>(3)}; }
-
 /// The vector from the view to the landmark times `scale`, the inverse depth or 1 for a point: finite at infinity.
 struct ScaledVector {
   Eigen::Vector3d in_world;

@@ -1,15 +1,16 @@
 #include "incognita/slam/bundle/relative_pose.hpp"
 
-#include <Eigen/Geometry>
 #include <opencv2/calib3d.hpp>
+
+#include "incognita/math/quaternion.hpp"
 
 namespace incognita {
 namespace {
 
 constexpr std::size_t least_rays = 8;
 constexpr double confidence = 0.999;  // of RANSAC
-constexpr double most_distant =
-    1000;  // baselines: points beyond do not tell which of four solutions is in front
+/// In displacements of the camera: which of the four solutions is right is decided by nearer points.
+constexpr double most_distant = 1000;
 
 std::vector<cv::Point2d> image_points(const std::vector<Eigen::Vector3d>& rays) {
   std::vector<cv::Point2d> points;
@@ -34,8 +35,7 @@ std::optional<RelativePose> relative_pose(const std::vector<Eigen::Vector3d>& fi
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) second_from_first(i, j) = R.at<double>(i, j);
   const Eigen::Vector3d shift(t.at<double>(0), t.at<double>(1), t.at<double>(2));
-  const Eigen::Quaterniond q(Eigen::Matrix3d(second_from_first.transpose()));
-  pose.first_from_second << q.w(), q.x(), q.y(), q.z();
+  pose.first_from_second = quaternion_from_matrix(second_from_first.transpose());
   pose.direction = -second_from_first.transpose() * shift;
   return pose;
 }

@@ -6,7 +6,7 @@
 
 namespace incognita {
 
-/// The bundle, with its last view where the matches with the first view tell, other views between both, and points of the first
+/// The bundle, with its last view at the pose that its matches with the first view determine, other views between both, and points of the first
 /// view where their rays intersect. The scale makes the median inverse depth that of the priors. Nothing if the matches
 /// do not determine the pose, or points are known. Only points whose host is the first view determine it.
 std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera);

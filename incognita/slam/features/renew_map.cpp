@@ -10,19 +10,25 @@
 namespace incognita {
 namespace {
 
+constexpr double least_var = 1e-8;          // keeps the covariance positive definite: the origin has none
 constexpr double wide_rad = 1;              // of the pose before its matches correct it
 constexpr double velocity_share = 0.5;      // of velocity and rate, from two keyframes
 constexpr double least_rate_rad_s = 0.1;    // known no better
 constexpr double least_depths_per_s = 0.1;  // velocity, in median depths
 
-/// The landmark as it was when it began, but for the mean of its depth.
+/// The landmark as it was when it began in the host, but for the mean of its depth. `pixel`: in the image of the host.
 void begin_again(Landmark& landmark, const Eigen::Vector3d& point, const BundleView& host,
-                 double sigma_direction, double sigma_inverse_depth, AnyBelief& belief) {
+                 const Eigen::Vector2d& pixel, const TrackedCamera& camera, AnyBelief& belief) {
+  CameraState from = CameraState::Zero();
+  from.head<3>() = host.position;
+  from.segment<4>(3) = host.world_from_camera;
+  const auto initialized = InverseDepthLandmark::initialize(camera.camera, from, pixel, point.z());
+  if (!initialized) return;
   InverseDepthLandmark::State y;
   y << host.position, point;
-  Eigen::Matrix<double, 6, 6> cov = Eigen::Matrix<double, 6, 6>::Zero();
-  cov.diagonal() << Eigen::Vector3d::Constant(1e-8), Eigen::Vector2d::Constant(std::pow(sigma_direction, 2)),
-      std::pow(sigma_inverse_depth, 2);
+  Eigen::Matrix<double, 6, 6> cov = camera.pixel_var() * initialized->Jz * initialized->Jz.transpose();
+  cov(5, 5) += std::pow(camera.settings.initialization.sigma_inverse_depth_per_m, 2);
+  cov.topLeftCorner<5, 5>() += least_var * Eigen::Matrix<double, 5, 5>::Identity();
   landmark.form.kind = LandmarkParametrization::Kind::inverse_depth;
   landmark.form.initial_axes = host.world_from_camera;
   belief.drop(landmark.block);
@@ -30,10 +36,6 @@ void begin_again(Landmark& landmark, const Eigen::Vector3d& point, const BundleV
 }
 
 void begin_landmarks_again(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& camera) {
-  const auto ray = camera.camera.unproject({0.5 * camera.camera.width(), 0.5 * camera.camera.height()});
-  const auto beside =
-      camera.camera.unproject({0.5 * camera.camera.width() + 1, 0.5 * camera.camera.height()});
-  const double per_px = ray && beside ? (*beside - *ray).norm() : 0.002;
   std::vector<std::int64_t> others;
   for (auto& [id, feature] : camera.features) {
     Landmark& landmark = estimate.landmarks.at(id);
@@ -42,8 +44,7 @@ void begin_landmarks_again(const Keyframes& keyframes, Estimate& estimate, Track
     feature.attempts = 0;
     feature.recent_attempts = feature.recent_matches = 0;
     if (const auto point = keyframes.point_in_first_view(id))
-      begin_again(landmark, *point, keyframes.first_view(), std::sqrt(camera.pixel_var()) * per_px,
-                  camera.settings.initialization.sigma_inverse_depth_per_m, estimate.belief);
+      begin_again(landmark, *point, keyframes.first_view(), feature.view.pixel, camera, estimate.belief);
     else
       others.push_back(id);
   }

@@ -7,10 +7,10 @@
 
 namespace incognita {
 
-/// Landmarks that began in the first keyframe start anew, with the inverse depths of the keyframes as means and the uncertainty
-/// of new landmarks; others are removed. The camera, which must be the body itself, is set to the pose of the last keyframe, and has the
-/// velocity and rate from the one before it. The matches of the frame, the last keyframe, then correct
-/// the belief.
+/// Landmarks that began in the first keyframe start anew, with the inverse depths of the keyframes (1/m) as means and the
+/// uncertainty of new landmarks; others are removed. The camera, which must be the body itself, is set to the pose of the last
+/// keyframe, with velocity and rate from the one before. The matches of the frame, the last keyframe, then correct the belief;
+/// outliers among them are those of the wrong map.
 void renew_map(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& camera);
 
 }  // namespace incognita

@@ -253,8 +253,9 @@ bool Keyframes::is_starting() const {
 }
 
 bool Keyframes::start_again(const Camera& camera, const AdjustmentSettings& settings) {
-  // Noise alone costs half of the rows
-  if (!is_starting() || cost_ < static_cast<double>(bundle_.observations.size())) return false;
+  if (!is_starting()) return false;
+  // Two views fit nearly any depths, and noise alone costs half of the rows
+  if (view_count() < 3 && cost_ < static_cast<double>(bundle_.observations.size())) return false;
   std::optional<Bundle> other = two_view_start(bundle_, camera);
   if (!other) return false;
   const AdjustmentReport report = incognita::adjust(*other, camera, settings, equations_);

@@ -5,7 +5,9 @@
 //   relocalization_trials --recording SCENARIO: the recording is cut after every 100 frames; half a second of black images
 //   follows, and then frames from a random place of what was seen before. The reference is the estimate that the same run
 //   had of these frames.
-//   relocalization_trials [--maps N] [--trials N] [--map-s S] [--limit-s S] [--seed N] [--other-room] [--set key=value]...
+//   relocalization_trials [--maps N] [--trials N] [--map-s S] [--limit-s S] [--seed N] [--only TRIAL] [--other-room]
+//                         [--scenario SCENARIO] [--set key=value]...
+// `--only`: this trial of each map, frame by frame.
 //
 // One line per trial: whether the place is mapped (by the matches that a search from the true pose gives), when the
 // camera was back, and the errors of its pose then, with their normalized square (6 degrees of freedom); then totals.
@@ -34,6 +36,7 @@ struct Wanted {
   int maps = 10, trials = 20;
   std::uint64_t first_seed = 1;
   double map_s = 60, limit_s = 2.5;
+  int only = -1;
   bool other_room = false, recording = false;
   std::string scenario = "explore-room";
   std::vector<std::string> sets;
@@ -56,6 +59,8 @@ Wanted wanted_by(int argc, char** argv) {
       out.first_seed = std::stoull(value());
     else if (word == "--scenario")
       out.scenario = value();
+    else if (word == "--only")
+      out.only = std::stoi(value());
     else if (word == "--recording")
       out.recording = true, out.scenario = value();
     else if (word == "--other-room")
@@ -137,6 +142,14 @@ PoseError error_of(const Loop& loop) {
   return {pose.head<3>().norm(), pose.tail<3>().norm(), pose.dot(P.llt().solve(pose))};
 }
 
+void print_frame(const Loop& loop, double start_t) {
+  const PoseError e = error_of(loop);
+  const TrackedCamera& camera = loop.camera();
+  std::printf("     %.2f s: %s, %d of %d matched, off by %.2f m %.2f rad, nees %.0f, sigma %.2f px, %s\n",
+              loop.t - start_t, name(loop.estimate.status.state), camera.matched, camera.predicted, e.m,
+              e.rad, e.nees, std::sqrt(camera.pixel_var()), loop.estimate.status.reason.c_str());
+}
+
 Outcome run_trial(Loop& loop, const Wanted& wanted, std::uint64_t seed, int trial) {
   RandomStream random(seed * 1000 + static_cast<std::uint64_t>(trial), "bench.displacement");
   Outcome out;
@@ -158,6 +171,7 @@ Outcome run_trial(Loop& loop, const Wanted& wanted, std::uint64_t seed, int tria
   int frames = 0, lost_frames = 0, after = -1;
   while (loop.t - start_t < wanted.limit_s + (after >= 0 ? 1 : 0)) {
     if (!loop.step(other ? other->parts.sensor.get() : nullptr)) break;
+    if (wanted.only >= 0) print_frame(loop, start_t);
     if (frames++ == 0) {
       out.moved_m = (loop.true_camera().head<3>() - before.head<3>()).norm();
       SummedImage summed;
@@ -204,6 +218,7 @@ Outcome trial_in_child(Loop& loop, const Wanted& wanted, std::uint64_t seed, int
   const pid_t child = fork();
   if (child == 0) {
     const Outcome result = run_trial(loop, wanted, seed, trial);
+    std::fflush(stdout);
     const bool written = write(ends[1], &result, sizeof result) == sizeof result;
     _exit(written ? 0 : 1);
   }
@@ -329,13 +344,16 @@ int run(const Wanted& wanted) {
                 static_cast<unsigned long long>(seed), loop.estimate.mapped_count(),
                 name(loop.estimate.status.state), at_start.m, at_start.rad);
     for (int k = 0; k < wanted.trials; ++k) {
+      if (wanted.only >= 0 && k != wanted.only) continue;
+      std::fflush(stdout);
       const Outcome o = trial_in_child(loop, wanted, seed, k);
       const bool is_mapped = !wanted.other_room && o.mapped >= 6;
       const bool is_back = o.back_after_s >= 0;
       const bool is_wrong =
           (is_back || o.never_lost) && (wanted.other_room || o.error_m > 0.3 || o.error_rad > 0.15);
       ++all, mapped += is_mapped, all_back += is_back, wrong += is_wrong, again += o.lost_again;
-      back += is_mapped && is_back && o.back_after_s <= 2;
+      const bool is_tracked = o.never_lost && !is_wrong;  // through the displacement
+      back += is_mapped && (is_tracked || (is_back && o.back_after_s <= 2));
       if (is_back && !is_wrong)
         nees.push_back(o.nees), late_nees.push_back(o.late_nees), seconds.push_back(o.back_after_s);
       std::printf(
@@ -343,8 +361,8 @@ int run(const Wanted& wanted) {
           "%.3f rad nees %.1f, later %.3f m %.3f rad nees %.1f, %.0f ms, at most %.0f ms%s%s%s\n",
           k, o.moved_m, o.turned_rad * 180 / std::numbers::pi, o.mapped, o.predicted, o.lost_after_s,
           o.back_after_s, o.error_m, o.error_rad, o.nees, o.late_error_m, o.late_error_rad, o.late_nees,
-          o.mean_ms, o.worst_ms, is_wrong ? " WRONG" : "", is_mapped && !is_back ? " MISSED" : "",
-          o.lost_again ? " LOST AGAIN" : "");
+          o.mean_ms, o.worst_ms, is_wrong ? " WRONG" : "",
+          is_mapped && !is_back && !is_tracked ? " MISSED" : "", o.lost_again ? " LOST AGAIN" : "");
       std::fflush(stdout);
     }
   }

@@ -2,7 +2,7 @@
 //
 // Experiment: scenarios/explore-room.toml (the room, its boxes and its textures drawn from the seed; 15
 // images a second; 0.3 m a second; 35 s) and scenarios/hand-held.toml (commands of a second each, executed by
-// an operator model; 40 s). The plan of the comparison, written before the runs: as for points
+// an operator model; 40 s), both with the features of the thesis. The plan of the comparison, written before the runs: as for points
 // (section_6_3.cpp), strategies paired by seed, assessed by the entropy of camera, map and what is not mapped
 // yet together at the end, of always 150 landmarks; a run that is lost counts with its last decision's. The
 // printed metric counts all landmarks that are expected in unobserved space, and its rows stand first. Our
@@ -11,6 +11,7 @@
 // of 0.3 s, and one who moves otherwise half of the time in place of one time in twenty.
 #include "experiments/common.hpp"
 #include "experiments/exploring_strategies.hpp"
+#include "experiments/thesis_features.hpp"
 
 namespace incognita {
 namespace {
@@ -91,7 +92,8 @@ Claim counting(const Runs& variant, const Runs& printed) {
 LedgerEntry run(const ExperimentSettings& all_seeds) {
   const ExperimentSettings settings = half_of(all_seeds);  // ten ways
   const auto runs = [&](const std::string& scenario, const std::vector<Strategy>& all) {
-    return runs_of_all(scenario, all, settings, fresh_rooms);
+    return runs_of_all(scenario, with(without_bundle, with(thesis_features("0.4"), all)), settings,
+                       fresh_rooms);
   };
   const Strategy all_counted = as_printed(by_gaze()[0]);
   const std::vector<Runs> mapped = runs("explore-room", by_gaze()), other = runs("explore-room", baselines()),

@@ -8,6 +8,7 @@
 
 #include "incognita/app/loop/assembly.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
+#include "incognita/math/random.hpp"
 #include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
@@ -85,6 +86,29 @@ TEST(RelocalizationInRoom, IsBackWhereItWasAndNotInAnotherRoom) {
     room.step(*other.parts.sensor);
     EXPECT_TRUE(room.is_lost()) << i;
   }
+}
+
+/// Few of the features that are searched match by chance after a displacement, and must not correct the filter: it would track
+/// what is not there.
+TEST(RelocalizationInRoom, IsNotTrackedElsewhereAfterADisplacement) {
+  Room room("1");
+  while (room.t < 20) room.step();
+  const RigidPose home = room.truth;
+  RandomStream random(1, "test.displacement");
+  int moved = 0;
+  for (int i = 0; i < 8; ++i) {
+    RigidPose there = home;
+    there.position.head<2>() = Eigen::Vector2d(random.uniform(-2, 2), random.uniform(-2, 2));
+    there.world_from_body = level_gaze(random.uniform(-3, 3));
+    room.carry_to(there);
+    for (int frame = 0; frame < 20; ++frame) room.step();
+    const double error_m = room.error().head<3>().norm();
+    EXPECT_TRUE(room.is_lost() || error_m < 0.3) << i << ", off by " << error_m << " m";
+    room.carry_to(home);
+    for (int frame = 0; frame < 40 && (frame < 3 || room.is_lost()); ++frame) room.step();
+    moved += !room.is_lost();
+  }
+  EXPECT_GE(moved, 6) << "back at home";
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST(RoomVehicle, DecidesDeterministically) {
   EXPECT_GT(ran.last.coverage.value_or(0), 0.05);
   EXPECT_LT(ran.rms_m, 0.1);
   const Ran stood = explored({"run.duration_s=5", "run.rate_hz=15", "decision.strategy=none"});
-  EXPECT_GT((ran.last.bodies[0].truth->position - stood.last.bodies[0].truth->position).norm(), 0.2)
+  EXPECT_GT((ran.last.bodies[0].truth->position - stood.last.bodies[0].truth->position).norm(), 0.1)
       << "it drove";
   EXPECT_EQ(ran.last.bodies[0].estimate.position, again.last.bodies[0].estimate.position);
   EXPECT_EQ(ran.last.bodies.at(0).decision.scores, again.last.bodies.at(0).decision.scores);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -65,6 +66,11 @@ std::vector<std::string> warnings_of(const RunProgress& progress, const Scenario
   if (static_cast<double>(progress.doubted) > most_doubted * static_cast<double>(progress.frames))
     warnings.push_back(
         fmt::format("degraded in {} of {} frames: {}", progress.doubted, progress.frames, progress.doubt));
+  if (last.readout)
+    warnings.push_back(fmt::format(
+        "the {} of the images seem to be read one after the other, in {:.1f} ms or more: a rolling "
+        "shutter, which is not modeled; errors are larger in fast motion",
+        last.readout->of_columns ? "columns" : "rows", 1e3 * std::abs(last.readout->s)));
   return warnings;
 }
 

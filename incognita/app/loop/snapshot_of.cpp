@@ -134,6 +134,8 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
     s.nis = e.last.update.nis;
     s.nis_dof = e.last.update.rows;
   }
+  for (const Body& body : e.bodies)
+    if (body.health.readout) s.readout = body.health.readout;
   s.entropy = {e.entropy.vehicle, e.entropy.map, e.entropy.total, e.entropy_t.value_or(std::nan(""))};
   for (std::size_t i = 0; i < std::min(goal.bodies.size(), s.bodies.size()); ++i) {
     s.bodies[i].manual = goal.bodies[i].manual.has_value();

@@ -154,7 +154,7 @@ void image_health(SettingReader& r, HealthSettings& health) {
   r.section("health");
   health.max_sigma_position_m = H{}.max_sigma_position_m;
   r.some(health, &H::max_sigma_position_m, &H::max_sigma_ratio, &H::max_ticks, &H::max_innovation_sigmas,
-         &H::min_matches, &H::min_matches_to_relocate, &H::sigma_search_position_m,
+         &H::min_matches, &H::min_matched_share, &H::min_matches_to_relocate, &H::sigma_search_position_m,
          &H::sigma_search_rotation_rad);
   r.follower(health, &H::sigma_search_velocity_m_s, "start.sigma_velocity_m_s");
   r.follower(health, &H::sigma_search_rate_rad_s, "start.sigma_angular_rate_rad_s");

@@ -101,6 +101,7 @@ struct Snapshot {
   int matched = 0;                          ///< matches used by the filter in this frame
   double nis = 0;                           ///< normalized innovation squared of this frame's update, summed
   int nis_dof = 0;                          ///< degrees of freedom of `nis`; 0 without an update
+  std::optional<Readout> readout;           ///< of a rolling shutter, if the residuals of a camera show one
   SnapshotEntropy entropy{};
   std::optional<double> coverage;  ///< viewed share of the exploration volume
   /// Entropy in nats of vehicle, map and expected unmapped landmarks (Figure 6.3), from the last decision.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "incognita/math/median.hpp"
 #include "incognita/slam/bundle/point_in_view.hpp"
 #include "incognita/slam/bundle/two_view_start.hpp"
 
@@ -282,10 +283,7 @@ double Keyframes::moved_px(const Estimate& estimate, const CameraState& from, co
     if (const auto projected = camera.project({now->x(), now->y(), 1}))
       distances.push_back((projected->pixel - then->pixel).norm());
   }
-  if (distances.empty()) return 0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return distances.empty() ? 0 : median(distances);
 }
 
 std::optional<Eigen::Vector3d> Keyframes::point_in_first_view(std::int64_t id) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "incognita/math/median.hpp"
 #include "incognita/slam/bundle/relative_pose.hpp"
 
 namespace incognita {
@@ -43,12 +44,6 @@ double inverse_depth(const RelativePose& pose, const Eigen::Vector3d& first, con
   // first / rho - direction is parallel to `to`: first x to = rho direction x to
   const Eigen::Vector3d parallax = first.cross(to), base = pose.direction.cross(to);
   return base.dot(parallax) / std::max(base.squaredNorm(), 1e-12);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 void place_views(std::vector<BundleView>& views, const RelativePose& pose, double baseline) {
@@ -93,7 +88,8 @@ std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera) {
     inverse_depths.push_back(inverse_depth(*pose, shared.first[i], shared.last[i]));
     priors.push_back(bundle.points[static_cast<std::size_t>(shared.points[i])].prior_inverse_depth);
   }
-  const double per_baseline = median(inverse_depths);
+  std::vector<double> sorted = inverse_depths;
+  const double per_baseline = median(sorted);
   const double wanted = median(priors);
   if (!(per_baseline > 0 && wanted > 0)) return std::nullopt;
   place_views(bundle.views, *pose, per_baseline / wanted);

@@ -208,10 +208,26 @@ void SlamEstimator::match_images(Estimate& e, const Tick& tick, StageClock& stag
         std::min(settings_.health.min_matches_to_relocate, camera.camera().most_measurements());
     if (bodies_[camera.camera().body].was_lost && camera.matched() < enough) camera.discard_matches();
   }
+  discard_few_matches();
   stage.mark("consensus");
   for (FeatureTracker& camera : cameras_)
     if (bodies_[camera.camera().body].was_lost && searches_whole_map(camera)) find_in_map(e, camera);
   stage.mark("relocalize");
+}
+
+/// Discards the matches of bodies of whose features a small share was found: these may be false.
+void SlamEstimator::discard_few_matches() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    int searched = 0, matched = 0;
+    for (const FeatureTracker& camera : cameras_) {
+      if (camera.camera().body != i) continue;
+      searched += camera.camera().predicted;
+      matched += camera.matched();
+    }
+    if (bodies_[i].was_lost || matched >= settings_.health.min_matched_share * searched) continue;
+    for (FeatureTracker& camera : cameras_)
+      if (camera.camera().body == i) camera.discard_matches();
+  }
 }
 
 /// Only the pose of a camera that is the body itself can be replaced.
@@ -273,6 +289,7 @@ bool SlamEstimator::correct(Estimate& e) {
     if (!done) camera.discard_matches();
     camera.after_correction(e, motion_of(camera));
     count_matches(e, camera.camera().body, camera.matched(), true);
+    if (const auto readout = camera.readout()) e.bodies[camera.camera().body].health.readout = readout;
   }
   for (const std::size_t i : inliers_.indices) {
     Match& match = e.last.matches[i];

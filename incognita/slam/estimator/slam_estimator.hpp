@@ -50,6 +50,7 @@ class SlamEstimator final : public Estimator {
   void predict(Estimate& estimate, const Command& command, const Observation& observation, const Tick& tick);
   void predict_features(Estimate& estimate, FeatureTracker& camera, double dt);
   void match_images(Estimate& estimate, const Tick& tick, StageClock& stage);
+  void discard_few_matches();
   bool searches_whole_map(const FeatureTracker& camera) const;
   void find_in_map(Estimate& estimate, FeatureTracker& camera);
   bool correct(Estimate& estimate);

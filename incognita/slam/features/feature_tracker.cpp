@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "incognita/math/median.hpp"
 #include "incognita/slam/features/active_search.hpp"
 #include "incognita/slam/features/automatic_settings.hpp"
 #include "incognita/slam/features/depth_line.hpp"
@@ -202,6 +203,7 @@ void FeatureTracker::after_correction(const Estimate& estimate, const AnyMotion&
   camera_.view = viewpoint(estimate, camera_, motion);
   if (sees_) before_ = camera_.view.camera;
   if (camera_.settings.filter.adapt_sigma_pixel) pixel_noise_.update(estimate, camera_);
+  if (sees_) rolling_shutter_.update(estimate, camera_, estimate.bodies[camera_.body].t);
   update_median_depth();
   estimate_patch_planes(estimate, camera_);
   if (sees_ && camera_.settings.relocalization.whole_map)
@@ -240,10 +242,7 @@ void FeatureTracker::update_median_depth() {
   const Eigen::Vector3d from = free_camera::position(camera_.view.camera);
   for (const FeatureMatch& match : camera_.matches)
     if (match.outcome == MatchOutcome::matched) distances_.push_back((match.point - from).norm());
-  if (distances_.empty()) return;
-  const auto middle = distances_.begin() + static_cast<std::ptrdiff_t>(distances_.size() / 2);
-  std::nth_element(distances_.begin(), middle, distances_.end());
-  camera_.median_depth_m = *middle;
+  if (!distances_.empty()) camera_.median_depth_m = median(distances_);
 }
 
 void FeatureTracker::count_frames_away() { incognita::count_frames_away(camera_); }

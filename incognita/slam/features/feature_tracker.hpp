@@ -12,6 +12,7 @@
 #include "incognita/slam/features/feature.hpp"
 #include "incognita/slam/features/pixel_noise.hpp"
 #include "incognita/slam/features/relocalization.hpp"
+#include "incognita/slam/features/rolling_shutter.hpp"
 #include "incognita/slam/features/target.hpp"
 #include "incognita/slam/features/target_pose.hpp"
 #include "incognita/vision/search.hpp"
@@ -88,6 +89,9 @@ class FeatureTracker {
 
   /// What a search from the pose that the matches of this frame give finds; nothing unless it suffices,
   /// RelocalizationSettings.
+  /// Of a rolling shutter, if the residuals show one: the estimator takes all rows as exposed at once.
+  std::optional<Readout> readout() const { return rolling_shutter_.readout(); }
+
   std::optional<PoseEvidence> evidence_of_matches(const Estimate& estimate) const;
   /// Searches for the pose of a lost camera in the whole map, RelocalizationSettings; the body must be the camera
   /// itself. Evidence that suffices, or nothing. `t`: s, of this frame.
@@ -123,6 +127,7 @@ class FeatureTracker {
   Keyframes keyframes_;
   bool moved_estimate_ = false;
   PixelNoise pixel_noise_;
+  RollingShutter rolling_shutter_;
   Relocalization relocalization_;
   ImagePyramid pyramid_;
   SmallImage small_, small_before_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "incognita/math/median.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 
 namespace incognita {
@@ -31,10 +32,8 @@ void PixelNoise::update(const Estimate& estimate, TrackedCamera& camera) {
     squares_.push_back(now_.back().px.squaredNorm());
   }
   if (squares_.size() < least_matches) return;
-  const auto middle = squares_.begin() + static_cast<std::ptrdiff_t>(squares_.size() / 2);
-  std::nth_element(squares_.begin(), middle, squares_.end());
   // The median of a chi-squared variable with 2 degrees of freedom is 2 ln 2
-  const double residual_var = *middle / (2 * std::numbers::ln2);
+  const double residual_var = median(squares_) / (2 * std::numbers::ln2);
   const double rows = 2 * static_cast<double>(squares_.size());
   const double now = residual_var * rows / (rows - pose_errors);
   const double var = camera.pixel_var() + (now - camera.pixel_var()) / frames_averaged;

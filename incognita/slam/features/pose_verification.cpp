@@ -18,6 +18,7 @@ constexpr double same_corner_px = 3;
 constexpr double max_sigma_px = 15;   // of a search: in a larger ellipse something always matches
 constexpr double least_sigma_px = 1;  // of a match: planes of patches are not known well in a new view
 constexpr double consistent_share = 0.999;
+constexpr double max_sigma_ratio = 0.15;  // of the position, over the distance to the matches
 
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
@@ -188,6 +189,15 @@ void weigh(PoseEvidence& evidence, const Estimate& e, const TrackedCamera& camer
   evidence.spread_px = spread_of(matched);
 }
 
+/// Mean over the matches.
+double distance_to_matches(const PoseEvidence& evidence) {
+  double sum_m = 0;
+  for (const FeatureMatch& match : evidence.matches)
+    if (match.outcome == MatchOutcome::matched)
+      sum_m += (match.point - free_camera::position(evidence.camera)).norm();
+  return sum_m / std::max(1, evidence.matched);
+}
+
 }  // namespace
 
 PoseEvidence gather_evidence(const SummedImage& image, const Estimate& estimate, const TrackedCamera& camera,
@@ -226,7 +236,9 @@ std::string refusal_of(const PoseEvidence& evidence, const Camera& camera,
     return "the matches contradict the map";
   const Eigen::Matrix3d cov = evidence.cov.topLeftCorner<3, 3>();
   const double sigma_m = std::sqrt(cov.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
-  if (sigma_m > settings.health.max_sigma_position_m / 2) return "the matches do not determine the position";
+  if (sigma_m >
+      std::min(settings.health.max_sigma_position_m, max_sigma_ratio * distance_to_matches(evidence)))
+    return "the matches do not determine the position";
   return "";
 }
 

@@ -31,7 +31,7 @@ struct FilterSettings {
     setting(
         &S::adapt_sigma_pixel, "adapt_sigma_pixel", "", any(),
         "Whether `sigma_pixel_px` is only the first value, and follows the residuals of the matches, 0.25 to 2 px; in the "
-        "correction it is larger by as much as they are correlated in time");
+        "correction its square is multiplied by (1 + r) / (1 - r), where r is their correlation from frame to frame");
     setting(&S::sigma_start_velocity_m_s, "sigma_velocity_m_s", "m/s", between(0, 1e4),
             "Standard deviation of the initial velocity, per axis");
     setting(&S::sigma_start_angular_rate_rad_s, "sigma_angular_rate_rad_s", "rad/s", between(0, 1e4),
@@ -239,7 +239,7 @@ struct RelocalizationSettings {
         &S::whole_map, "whole_map", "", any(),
         "Whether a lost camera recognizes the whole map by descriptors, besides the search around its last pose");
     setting(&S::period_frames, "period_frames", "", between(1, 100000),
-            "A lost camera recognizes landmarks in every so many frames");
+            "Frames from one search of the whole map by a lost camera to the next");
     setting(&S::min_matches, "min_matches", "", between(5, 10000),
             "Number of jointly consistent matches in one image that a pose in the map needs");
     setting(&S::min_matched_share, "min_matched_share", "", between(0, 1),

@@ -22,8 +22,9 @@ namespace incognita {
 
 /// What the assessment of a body remembers between ticks: health.hpp.
 struct BodyHealth {
-  int frames_with_few = 0;  ///< consecutive frames with too few matches, overdue ones too
-  int unmatched_ticks = 0;  ///< consecutive ticks with detections but without a match
+  int frames_with_few = 0;         ///< consecutive frames with too few matches, overdue ones too
+  int unmatched_ticks = 0;         ///< consecutive ticks with detections but without a match
+  std::optional<Readout> readout;  ///< of a rolling shutter, if the residuals of a camera show one
 };
 
 /// Numbers of the last tick of a body.

@@ -51,6 +51,12 @@ inline const char* name(MatchOutcome outcome) {
   return "unknown";
 }
 
+/// Of an image with a rolling shutter.
+struct Readout {
+  bool of_columns = false;  ///< else of rows
+  double s = 0;             ///< from the first to the last of them; negative: the last is exposed first
+};
+
 struct TrackingStatus {
   TrackingState state = TrackingState::starting;
   /// States values and limits, e.g. "fewer than 3 features matched; 2 of 12 features matched"

@@ -1,0 +1,37 @@
+// The image front end of the thesis (Appendix C): twelve features in boxes drawn at random, found at one scale and corrected by
+// the filter alone, with white noise. The scenarios have our defaults, so what is compared with the thesis sets these.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/exploring_comparison.hpp"
+
+namespace incognita::exploring {
+
+/// `sigma_pixel_px`: of the measurements. A camera that moves freely needs `without_bundle`, too; others have no bundle adjustment.
+inline Sets thesis_features(const std::string& sigma_pixel_px) {
+  return {"sensor.sigma_pixel_px=" + sigma_pixel_px,
+          "sensor.adapt_sigma_pixel=false",
+          "search.max_measurements=12",
+          "search.levels=1",
+          "search.align_images=false",
+          "landmark_initialization.selection=random-box",
+          "landmark_initialization.max_new_per_frame=1",
+          "landmark_initialization.min_corner_strength=30",
+          "landmark_initialization.second_order=false",
+          "map.wanted_visible=12",
+          "map.max_landmarks=200",
+          "map.replace_when_full=false",
+          "map.memory_attempts=0"};
+}
+
+inline const Sets without_bundle{"bundle.adjust=false"};
+
+/// The same strategies with these settings, too.
+inline std::vector<Strategy> with(const Sets& sets, std::vector<Strategy> strategies) {
+  for (Strategy& strategy : strategies) strategy.sets.insert(strategy.sets.end(), sets.begin(), sets.end());
+  return strategies;
+}
+
+}  // namespace incognita::exploring

@@ -210,10 +210,11 @@ void FeatureTracker::after_correction(const Estimate& estimate, const AnyMotion&
     describe_new_views(pyramid_.image(), estimate, camera_);
 }
 
-std::optional<PoseEvidence> FeatureTracker::evidence_of_matches(const Estimate& estimate) const {
+std::optional<PoseEvidence> FeatureTracker::evidence_of_matches(const Estimate& estimate) {
   if (!sees_ || camera_.matched == 0) return std::nullopt;
   PoseEvidence evidence = gather_evidence(pyramid_.summed(), estimate, camera_);
   if (!refusal_of(evidence, camera_.camera, camera_.settings).empty()) return std::nullopt;
+  if (relocalization_.has_rival(evidence, pyramid_.summed(), estimate, camera_)) return std::nullopt;
   return evidence;
 }
 

@@ -89,13 +89,12 @@ class FeatureTracker {
 
   /// What a search from the pose that the matches of this frame give finds; nothing unless it suffices,
   /// RelocalizationSettings.
-  /// Of a rolling shutter, if the residuals show one: the estimator takes all rows as exposed at once.
-  std::optional<Readout> readout() const { return rolling_shutter_.readout(); }
-
-  std::optional<PoseEvidence> evidence_of_matches(const Estimate& estimate) const;
+  std::optional<PoseEvidence> evidence_of_matches(const Estimate& estimate);
   /// Searches for the pose of a lost camera in the whole map, RelocalizationSettings; the body must be the camera
   /// itself. Evidence that suffices, or nothing. `t`: s, of this frame.
   std::optional<PoseEvidence> find_in_map(const Estimate& estimate, double t);
+  /// Of a rolling shutter, if the residuals show one: the estimator takes all rows as exposed at once.
+  std::optional<Readout> readout() const { return rolling_shutter_.readout(); }
   /// Takes the matches of that evidence as those of this frame, once the belief holds its pose, with a prior that is wide
   /// relative to its covariance; rejects outliers.
   void take_matches(PoseEvidence evidence, const Estimate& estimate);

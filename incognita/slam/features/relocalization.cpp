@@ -10,8 +10,9 @@
 namespace incognita {
 namespace {
 
-constexpr double rival_share =
-    0.6;                     // of the matches of the best pose: another pose with more makes it ambiguous
+// Another pose with more than this share of the matches of the best one makes it ambiguous, unless it predicts much in view that
+// is not there
+constexpr double rival_share = 0.6, less_share = 0.15;
 constexpr double wider = 3;  // search about a pose of RANSAC: its inliers may be false
 
 PoseLimits pose_limits(const MapSettings& map) {
@@ -21,35 +22,51 @@ PoseLimits pose_limits(const MapSettings& map) {
   return limits;
 }
 
+/// Whether another pose explains nearly as many matches, and nearly as large a share of what it predicts in view.
+bool is_rival(const PoseEvidence& other, const PoseEvidence& best) {
+  const auto share = [](const PoseEvidence& e) {
+    return e.matched / std::max(1.0, static_cast<double>(e.matches.size()));
+  };
+  return other.matched > rival_share * best.matched && share(other) > share(best) - less_share &&
+         !share_matches(best, other);
+}
+
 }  // namespace
 
-std::optional<PoseEvidence> Relocalization::search(const SummedImage& image, const Estimate& estimate,
-                                                   const TrackedCamera& camera) {
-  const RelocalizationSettings& settings = camera.settings.relocalization;
+/// The evidence for each pose by which the landmarks recognized in the image may be seen, the most matches first.
+std::vector<Relocalization::Tried> Relocalization::poses_in_map(const SummedImage& image,
+                                                                const Estimate& estimate,
+                                                                const TrackedCamera& camera) {
   const std::vector<PointMatch> recognized =
       recognize_landmarks(image.image(), estimate, camera, RecognitionLimits{});
   const double sigma_px = std::max(1.0, std::sqrt(camera.pixel_var()));
-  const std::vector<PoseHypothesis> hypotheses =
-      find_poses(recognized, camera.camera, pose_limits(camera.settings.map), sigma_px, random_);
-  struct Tried {
-    PoseEvidence evidence;
-    int distinctive;
-  };
-  std::vector<Tried> found;
-  for (const PoseHypothesis& hypothesis : hypotheses)
-    found.push_back(
+  std::vector<Tried> tried;
+  for (const PoseHypothesis& hypothesis :
+       find_poses(recognized, camera.camera, pose_limits(camera.settings.map), sigma_px, random_))
+    tried.push_back(
         {gather_evidence(image, estimate, camera, hypothesis.camera, wider * wider * hypothesis.cov),
          hypothesis.distinctive});
-  std::stable_sort(found.begin(), found.end(),
+  std::stable_sort(tried.begin(), tried.end(),
                    [](const Tried& a, const Tried& b) { return a.evidence.matched > b.evidence.matched; });
-  if (found.empty() || found.front().distinctive < settings.min_distinctive) return std::nullopt;
-  PoseEvidence& best = found.front().evidence;
+  return tried;
+}
+
+std::optional<PoseEvidence> Relocalization::search(const SummedImage& image, const Estimate& estimate,
+                                                   const TrackedCamera& camera) {
+  std::vector<Tried> tried = poses_in_map(image, estimate, camera);
+  if (tried.empty() || tried.front().distinctive < camera.settings.relocalization.min_distinctive)
+    return std::nullopt;
+  PoseEvidence& best = tried.front().evidence;
   if (!refusal_of(best, camera.camera, camera.settings).empty()) return std::nullopt;
-  const bool is_ambiguous = std::ranges::any_of(found, [&](const Tried& rival) {
-    return rival.evidence.matched > rival_share * best.matched && !share_matches(best, rival.evidence);
-  });
-  if (is_ambiguous) return std::nullopt;
+  if (std::ranges::any_of(tried, [&](const Tried& other) { return is_rival(other.evidence, best); }))
+    return std::nullopt;
   return std::move(best);
+}
+
+bool Relocalization::has_rival(const PoseEvidence& found, const SummedImage& image, const Estimate& estimate,
+                               const TrackedCamera& camera) {
+  const std::vector<Tried> tried = poses_in_map(image, estimate, camera);
+  return std::ranges::any_of(tried, [&](const Tried& other) { return is_rival(other.evidence, found); });
 }
 
 std::optional<PoseEvidence> Relocalization::confirm(const SummedImage& image, const Estimate& estimate,

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "incognita/math/random.hpp"
 #include "incognita/slam/features/pose_verification.hpp"
@@ -19,6 +20,9 @@ class Relocalization {
   /// confirmed, the last of them this one; nothing before.
   std::optional<PoseEvidence> find(const SummedImage& image, const Estimate& estimate,
                                    const TrackedCamera& camera, double t);
+  /// Whether the map holds another pose that explains the image as well: repeated texture. `found`: evidence for a pose.
+  bool has_rival(const PoseEvidence& found, const SummedImage& image, const Estimate& estimate,
+                 const TrackedCamera& camera);
   /// Forgets a pose that is not confirmed yet.
   void restart() { candidate_.reset(); }
 
@@ -30,6 +34,12 @@ class Relocalization {
     int frames = 0;  ///< that confirmed it
   };
 
+  struct Tried {
+    PoseEvidence evidence;
+    int distinctive = 0;  ///< matches by which it was recognized that look like no other
+  };
+  std::vector<Tried> poses_in_map(const SummedImage& image, const Estimate& estimate,
+                                  const TrackedCamera& camera);
   std::optional<PoseEvidence> confirm(const SummedImage& image, const Estimate& estimate,
                                       const TrackedCamera& camera, double t) const;
   std::optional<PoseEvidence> search(const SummedImage& image, const Estimate& estimate,

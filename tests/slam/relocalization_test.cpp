@@ -144,5 +144,17 @@ TEST(Relocalization, NotAtTheWrongPeriodOfARepeatedTexture) {
   }
 }
 
+/// The same wall, from which the camera was carried by just one period: the search around its last pose finds everything.
+TEST(Relocalization, NotAtItsLastPoseIfARepeatedTextureIsSeenElsewhereToo) {
+  Wall repeated(1.4, 1, 0.03);
+  repeated.hang_sheet(sheet_half_width_m, sheet_half_height_m, 0.1);
+  Lost lost(repeated, 3.2);
+  const CameraState there = camera_at({0, 3.2 - 1.92, 0});
+  for (int i = 0; i < 10; ++i) {
+    lost.see(there);
+    EXPECT_TRUE(lost.is_lost() || lost.error_m() < 0.05) << i << ", off by " << lost.error_m() << " m";
+  }
+}
+
 }  // namespace
 }  // namespace incognita

@@ -154,21 +154,6 @@ std::vector<FeatureMatch> searched_at(const SummedImage& image, const Estimate& 
   return matches;
 }
 
-/// Predictions at a corrected pose; what is not predicted any more leaves the matches.
-void predict_again(std::vector<FeatureMatch>& matches, const Estimate& e, const TrackedCamera& camera,
-                   const CameraState& x) {
-  std::vector<FeatureMatch> out;
-  for (FeatureMatch& match : matches) {
-    const auto now = predict_pixel(e.landmarks.at(match.id), e.belief, camera.camera, x, camera.settings);
-    if (!now) continue;
-    match.predicted = now->predicted;
-    match.Hv = now->Hv;
-    match.Hl = now->Hl;
-    out.push_back(std::move(match));
-  }
-  matches = std::move(out);
-}
-
 /// Rms distance of pixels from the line that is nearest to them.
 double spread_of(const std::vector<FeatureMatch>& matched) {
   Eigen::Vector2d mean(0, 0);
@@ -212,7 +197,10 @@ PoseEvidence gather_evidence(const SummedImage& image, const Estimate& estimate,
     evidence.camera = pose->camera;
     evidence.cov = pose->cov;
   }
-  predict_again(evidence.matches, estimate, camera, evidence.camera);
+  std::vector<FeatureMatch> in_view;  // from the corrected pose
+  for (FeatureMatch& match : evidence.matches)
+    if (predict_again(match, estimate, camera, evidence.camera)) in_view.push_back(std::move(match));
+  evidence.matches = std::move(in_view);
   weigh(evidence, estimate, camera);
   return evidence;
 }

@@ -119,17 +119,22 @@ LinearizedMeasurement linearized_measurement(const FeatureMatch& match, const La
   return measurement;
 }
 
+bool predict_again(FeatureMatch& match, const Estimate& estimate, const TrackedCamera& camera,
+                   const CameraState& from) {
+  const auto now =
+      predict_pixel(estimate.landmarks.at(match.id), estimate.belief, camera.camera, from, camera.settings);
+  if (!now) return false;
+  match.predicted = now->predicted;
+  match.Hv = now->Hv;
+  match.Hl = now->Hl;
+  return true;
+}
+
 LinearizedMeasurement relinearized_measurement(const FeatureMatch& match, const Estimate& estimate,
                                                const TrackedCamera& camera) {
-  const Landmark& landmark = estimate.landmarks.at(match.id);
-  const auto now =
-      predict_pixel(landmark, estimate.belief, camera.camera, camera.view.camera, camera.settings);
-  if (!now) return {};
   FeatureMatch again = match;
-  again.predicted = now->predicted;
-  again.Hv = now->Hv;
-  again.Hl = now->Hl;
-  return linearized_measurement(again, landmark, camera);
+  if (!predict_again(again, estimate, camera, camera.view.camera)) return {};
+  return linearized_measurement(again, estimate.landmarks.at(match.id), camera);
 }
 
 namespace {

@@ -28,6 +28,10 @@ double match_var(const FeatureMatch& match, const TrackedCamera& camera);
 LinearizedMeasurement linearized_measurement(const FeatureMatch& match, const Landmark& landmark,
                                              const TrackedCamera& camera);
 
+/// Predicts a match anew at the current means, seen from `from`: predicted pixel and Jacobians. False where it is not defined.
+bool predict_again(FeatureMatch& match, const Estimate& estimate, const TrackedCamera& camera,
+                   const CameraState& from);
+
 /// The same measurement linearized at the current means; without parts where it is not defined.
 LinearizedMeasurement relinearized_measurement(const FeatureMatch& match, const Estimate& estimate,
                                                const TrackedCamera& camera);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "incognita/slam/features/active_search.hpp"
 #include "incognita/slam/features/map_management.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 #include "incognita/slam/mapper/bodies.hpp"
@@ -72,6 +73,17 @@ void put_camera(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& c
   camera.view = viewpoint(estimate, camera);
 }
 
+/// Which matches are outliers was judged by the map that was wrong.
+void judge_matches_again(const Estimate& estimate, TrackedCamera& camera) {
+  for (FeatureMatch& match : camera.matches) {
+    if (match.outcome != MatchOutcome::matched && match.outcome != MatchOutcome::outlier) continue;
+    match.second_order_cov.setZero();
+    match.outcome = predict_again(match, estimate, camera, camera.view.camera) ? MatchOutcome::matched
+                                                                               : MatchOutcome::outlier;
+  }
+  reject_outliers(estimate, camera);
+}
+
 }  // namespace
 
 void renew_map(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& camera) {
@@ -80,13 +92,13 @@ void renew_map(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& ca
   camera.median_depth_m = 1 / camera.settings.initialization.inverse_depth_per_m;
   begin_landmarks_again(keyframes, estimate, camera);
   put_camera(keyframes, estimate, camera);
-  std::vector<LinearizedMeasurement> measurements;
   std::erase_if(camera.matches,
                 [&](const FeatureMatch& match) { return !estimate.landmarks.contains(match.id); });
-  for (FeatureMatch& match : camera.matches)
+  judge_matches_again(estimate, camera);
+  std::vector<LinearizedMeasurement> measurements;
+  for (const FeatureMatch& match : camera.matches)
     if (match.outcome == MatchOutcome::matched)
-      measurements.push_back(relinearized_measurement(match, estimate, camera));
-  std::erase_if(measurements, [](const LinearizedMeasurement& m) { return m.part_count == 0; });
+      measurements.push_back(linearized_measurement(match, estimate.landmarks.at(match.id), camera));
   estimate.belief.update(measurements);
   camera.view = viewpoint(estimate, camera);
 }

@@ -9,8 +9,8 @@ namespace incognita {
 
 /// Landmarks that began in the first keyframe start anew, with the inverse depths of the keyframes (1/m) as means and the
 /// uncertainty of new landmarks; others are removed. The camera, which must be the body itself, is set to the pose of the last
-/// keyframe, with velocity and rate from the one before. The matches of the frame, the last keyframe, then correct the belief;
-/// outliers among them are those of the wrong map.
+/// keyframe, with velocity and rate from the one before. The matches of the frame, the last keyframe, then correct the belief, after
+/// outliers were rejected anew.
 void renew_map(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& camera);
 
 }  // namespace incognita

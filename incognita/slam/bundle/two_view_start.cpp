@@ -17,6 +17,8 @@ constexpr double least_share_of_median = 0.05, most_times_median = 20;  // inver
 struct SharedPoints {
   std::vector<int> points;
   std::vector<Eigen::Vector3d> first, last;  ///< rays (x, y, 1)
+  std::vector<double>
+      pixel_sizes;  ///< of the last: how far a ray moves by a pixel, which depends on the lens
 };
 
 /// Points whose host is the first view and that the last view sees, too.
@@ -27,13 +29,15 @@ SharedPoints shared_points(const Bundle& bundle, const Camera& camera) {
   for (const BundleObservation& seen : bundle.observations) {
     const BundlePoint& point = bundle.points[static_cast<std::size_t>(seen.point)];
     if (point.kind != BundlePoint::Kind::inverse_depth || point.host != 0) continue;
-    const auto ray = camera.unproject(seen.pixel);
-    if (!ray) continue;
+    const auto ray = camera.unproject(seen.pixel),
+               beside = camera.unproject(seen.pixel + Eigen::Vector2d(1, 0));
+    if (!ray || !beside) continue;
     if (seen.view == 0) in_first[seen.point] = *ray;
     if (seen.view != last || !in_first.contains(seen.point)) continue;
     shared.points.push_back(seen.point);
     shared.first.push_back(in_first[seen.point]);
     shared.last.push_back(*ray);
+    shared.pixel_sizes.push_back((*beside - *ray).norm());
   }
   return shared;
 }
@@ -76,11 +80,9 @@ std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera) {
         return point.kind != BundlePoint::Kind::inverse_depth;
       }))
     return std::nullopt;
-  const SharedPoints shared = shared_points(bundle, camera);
-  const auto center = camera.unproject({0.5 * camera.width(), 0.5 * camera.height()});
-  const auto beside = camera.unproject({0.5 * camera.width() + 1, 0.5 * camera.height()});
-  if (!center || !beside) return std::nullopt;
-  const auto pose = relative_pose(shared.first, shared.last, tolerance_px * (*beside - *center).norm());
+  SharedPoints shared = shared_points(bundle, camera);
+  if (shared.pixel_sizes.empty()) return std::nullopt;
+  const auto pose = relative_pose(shared.first, shared.last, tolerance_px * median(shared.pixel_sizes));
   if (!pose || pose->inliers < least_inlier_share * static_cast<double>(shared.points.size()))
     return std::nullopt;
   std::vector<double> inverse_depths, priors;

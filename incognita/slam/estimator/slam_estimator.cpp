@@ -180,23 +180,25 @@ void SlamEstimator::predict(Estimate& e, const Command& command, const Observati
 
 /// Predicts the features of a camera. A camera that moves freely and turned by more than its motion model allows is turned by
 /// as much as the whole image did, with an uncertainty of that size; part of it may be translation.
-void SlamEstimator::predict_features(Estimate& e, FeatureTracker& camera, double dt) {
+void SlamEstimator::predict_features(Estimate& e, FeatureTracker& camera) {
   const bool was_lost = bodies_[camera.camera().body].was_lost;
   if (!was_lost) camera.align(e, motion_of(camera));
   camera.predict(e, motion_of(camera));
   if (was_lost) return;
   const std::optional<Eigen::Vector3d> turn = camera.unexpected_turn();
-  if (!turn || camera.camera().mount || !(dt > 0)) return;
+  const double since_image_s = e.bodies[camera.camera().body].t - camera.last_image_t();
+  if (!turn || camera.camera().mount || !(since_image_s > 0)) return;
   constexpr double translation_share = 0.5;  // of the image motion, in standard deviations of the turn
   const double rad = turn->norm();
-  add_jump(e, camera.camera().body, *turn, translation_share * rad * camera.camera().median_depth_m, rad, dt);
+  add_jump(e, camera.camera().body, *turn, translation_share * rad * camera.camera().median_depth_m, rad,
+           since_image_s);
   camera.align(e, motion_of(camera));
   camera.predict(e, motion_of(camera));
 }
 
 /// Finds the features in the images. Of a lost body only enough matches count, since few may be false.
 void SlamEstimator::match_images(Estimate& e, const Tick& tick, StageClock& stage) {
-  for (FeatureTracker& camera : cameras_) predict_features(e, camera, tick.dt);
+  for (FeatureTracker& camera : cameras_) predict_features(e, camera);
   stage.mark("predict");
   for (FeatureTracker& camera : cameras_) camera.search();
   stage.mark("search");
@@ -240,9 +242,8 @@ bool SlamEstimator::searches_whole_map(const FeatureTracker& camera) const {
 /// map. Either needs evidence; without, the belief stays as it was.
 void SlamEstimator::find_in_map(Estimate& e, FeatureTracker& camera) {
   const std::size_t which = camera.camera().body;
-  std::optional<PoseEvidence> found = camera.evidence_of_matches(e);
+  std::optional<PoseEvidence> found = camera.find_in_map(e, e.bodies[which].t);
   camera.discard_matches();
-  if (!found) found = camera.find_in_map(e, e.bodies[which].t);
   if (!found) return;
   const Estimate before = e;
   // The same matches correct the filter: a prior this wide adds 1 % to their information

@@ -48,7 +48,7 @@ class SlamEstimator final : public Estimator {
   void note_lost(const Estimate& estimate);
   bool carries_camera(std::size_t body) const;
   void predict(Estimate& estimate, const Command& command, const Observation& observation, const Tick& tick);
-  void predict_features(Estimate& estimate, FeatureTracker& camera, double dt);
+  void predict_features(Estimate& estimate, FeatureTracker& camera);
   void match_images(Estimate& estimate, const Tick& tick, StageClock& stage);
   void discard_few_matches();
   bool searches_whole_map(const FeatureTracker& camera) const;

@@ -91,6 +91,7 @@ void FeatureTracker::start_map(Estimate& estimate, const std::optional<TargetPos
   camera_.features.clear();
   camera_.view = viewpoint(estimate, camera_, motion);
   before_ = camera_.view.camera;
+  before_t_ = estimate.bodies[camera_.body].t;
   for (std::size_t i = 0; pose && i < placement_.target->corners.size(); ++i) {
     auto view = cut_view(pyramid_, pose->pixels[i], camera_.view.camera, camera_.camera, camera_.settings);
     if (!view) continue;
@@ -201,21 +202,16 @@ void FeatureTracker::discard_matches() {
 
 void FeatureTracker::after_correction(const Estimate& estimate, const AnyMotion& motion) {
   camera_.view = viewpoint(estimate, camera_, motion);
-  if (sees_) before_ = camera_.view.camera;
+  if (sees_) {
+    before_ = camera_.view.camera;
+    before_t_ = estimate.bodies[camera_.body].t;
+  }
   if (camera_.settings.filter.adapt_sigma_pixel) pixel_noise_.update(estimate, camera_);
   if (sees_) rolling_shutter_.update(estimate, camera_, estimate.bodies[camera_.body].t);
   update_median_depth();
   estimate_patch_planes(estimate, camera_);
   if (sees_ && camera_.settings.relocalization.whole_map)
     describe_new_views(pyramid_.image(), estimate, camera_);
-}
-
-std::optional<PoseEvidence> FeatureTracker::evidence_of_matches(const Estimate& estimate) {
-  if (!sees_ || camera_.matched == 0) return std::nullopt;
-  PoseEvidence evidence = gather_evidence(pyramid_.summed(), estimate, camera_);
-  if (!refusal_of(evidence, camera_.camera, camera_.settings).empty()) return std::nullopt;
-  if (relocalization_.has_rival(evidence, pyramid_.summed(), estimate, camera_)) return std::nullopt;
-  return evidence;
 }
 
 std::optional<PoseEvidence> FeatureTracker::find_in_map(const Estimate& estimate, double t) {

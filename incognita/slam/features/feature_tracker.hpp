@@ -87,12 +87,11 @@ class FeatureTracker {
   /// Removes what means nothing without the pose.
   void forget_depth_lines(Estimate& estimate);
 
-  /// What a search from the pose that the matches of this frame give finds; nothing unless it suffices,
-  /// RelocalizationSettings.
-  std::optional<PoseEvidence> evidence_of_matches(const Estimate& estimate);
-  /// Searches for the pose of a lost camera in the whole map, RelocalizationSettings; the body must be the camera
-  /// itself. Evidence that suffices, or nothing. `t`: s, of this frame.
+  /// Searches for the pose of a lost camera, by the matches of this frame and then in the whole map, RelocalizationSettings;
+  /// the body must be the camera itself. Evidence that suffices, or nothing. `t`: s, of this frame.
   std::optional<PoseEvidence> find_in_map(const Estimate& estimate, double t);
+  /// Time of the last image that corrected the estimate or began the map, s.
+  double last_image_t() const { return before_t_; }
   /// Of a rolling shutter, if the residuals show one: the estimator takes all rows as exposed at once.
   std::optional<Readout> readout() const { return rolling_shutter_.readout(); }
   /// Takes the matches of that evidence as those of this frame, once the belief holds its pose, with a prior that is wide
@@ -132,6 +131,7 @@ class FeatureTracker {
   SmallImage small_, small_before_;
   std::vector<Eigen::Vector3d> small_rays_, predicted_rays_;
   std::optional<CameraState> before_;  ///< when small_before_ was taken
+  double before_t_ = 0;                ///< s, the time of that
   std::vector<double> distances_;      ///< workspace
   bool sees_ = false;
   bool has_map_ = false;  ///< since start_map()

@@ -22,13 +22,14 @@ PoseLimits pose_limits(const MapSettings& map) {
   return limits;
 }
 
-/// Whether another pose explains nearly as many matches, and nearly as large a share of what it predicts in view.
+/// Whether another pose explains more matches, or nearly as many and nearly as large a share of what it predicts in view.
 bool is_rival(const PoseEvidence& other, const PoseEvidence& best) {
   const auto share = [](const PoseEvidence& e) {
     return e.matched / std::max(1.0, static_cast<double>(e.matches.size()));
   };
-  return other.matched > rival_share * best.matched && share(other) > share(best) - less_share &&
-         !share_matches(best, other);
+  const bool is_similar =
+      other.matched > rival_share * best.matched && share(other) > share(best) - less_share;
+  return (is_similar || other.matched > best.matched) && !share_matches(best, other);
 }
 
 }  // namespace
@@ -63,10 +64,16 @@ std::optional<PoseEvidence> Relocalization::search(const SummedImage& image, con
   return std::move(best);
 }
 
-bool Relocalization::has_rival(const PoseEvidence& found, const SummedImage& image, const Estimate& estimate,
-                               const TrackedCamera& camera) {
+/// From the matches of the camera, unless the map holds another pose that explains the image as well.
+std::optional<PoseEvidence> Relocalization::near_last_pose(const SummedImage& image, const Estimate& estimate,
+                                                           const TrackedCamera& camera) {
+  if (camera.matched == 0) return std::nullopt;
+  PoseEvidence found = gather_evidence(image, estimate, camera);
+  if (!refusal_of(found, camera.camera, camera.settings).empty()) return std::nullopt;
   const std::vector<Tried> tried = poses_in_map(image, estimate, camera);
-  return std::ranges::any_of(tried, [&](const Tried& other) { return is_rival(other.evidence, found); });
+  if (std::ranges::any_of(tried, [&](const Tried& other) { return is_rival(other.evidence, found); }))
+    return std::nullopt;
+  return found;
 }
 
 std::optional<PoseEvidence> Relocalization::confirm(const SummedImage& image, const Estimate& estimate,
@@ -89,6 +96,9 @@ std::optional<PoseEvidence> Relocalization::find(const SummedImage& image, const
   int frames = evidence ? candidate_->frames : 0;
   if (!evidence) {
     candidate_.reset();
+    evidence = near_last_pose(image, estimate, camera);
+  }
+  if (!evidence) {
     if (frames_until_search_-- > 0) return std::nullopt;
     frames_until_search_ = settings.period_frames - 1;
     evidence = search(image, estimate, camera);

@@ -16,13 +16,10 @@ class Relocalization {
  public:
   explicit Relocalization(std::uint64_t seed) : random_(seed, "slam.relocalization") {}
 
-  /// One frame of a lost camera, at time `t`, s. The evidence for a pose that `confirmations` consecutive frames
-  /// confirmed, the last of them this one; nothing before.
+  /// One frame of a lost camera, at time `t`, s; its matches are those of the search around its last pose. The evidence for a
+  /// pose that `confirmations` consecutive frames confirmed, the last of them this one; nothing before.
   std::optional<PoseEvidence> find(const SummedImage& image, const Estimate& estimate,
                                    const TrackedCamera& camera, double t);
-  /// Whether the map holds another pose that explains the image as well: repeated texture. `found`: evidence for a pose.
-  bool has_rival(const PoseEvidence& found, const SummedImage& image, const Estimate& estimate,
-                 const TrackedCamera& camera);
   /// Forgets a pose that is not confirmed yet.
   void restart() { candidate_.reset(); }
 
@@ -40,6 +37,8 @@ class Relocalization {
   };
   std::vector<Tried> poses_in_map(const SummedImage& image, const Estimate& estimate,
                                   const TrackedCamera& camera);
+  std::optional<PoseEvidence> near_last_pose(const SummedImage& image, const Estimate& estimate,
+                                             const TrackedCamera& camera);
   std::optional<PoseEvidence> confirm(const SummedImage& image, const Estimate& estimate,
                                       const TrackedCamera& camera, double t) const;
   std::optional<PoseEvidence> search(const SummedImage& image, const Estimate& estimate,

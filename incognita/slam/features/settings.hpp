@@ -225,7 +225,7 @@ struct RelocalizationSettings {
   bool whole_map = true;
   int period_frames = 1;
   int min_matches = 6;
-  double min_matched_share = 0.5;
+  double min_matched_share = 0.55;
   int min_distinctive = 3;
   double min_spread_share = 0.04;
   int confirmations = 3;

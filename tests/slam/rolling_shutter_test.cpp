@@ -60,7 +60,7 @@ TEST(RollingShutter, OfRowsIsFound) {
   const auto readout = found(0, 0.01);
   ASSERT_TRUE(readout);
   EXPECT_FALSE(readout->of_columns);
-  EXPECT_NEAR(readout->s, 0.01, 0.002) << "4 sigmas";
+  EXPECT_NEAR(readout->s, 0.01, 0.002);
 }
 
 TEST(RollingShutter, MayBeginWithTheLastRow) {

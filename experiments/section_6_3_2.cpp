@@ -92,8 +92,7 @@ Claim counting(const Runs& variant, const Runs& printed) {
 LedgerEntry run(const ExperimentSettings& all_seeds) {
   const ExperimentSettings settings = half_of(all_seeds);  // ten ways
   const auto runs = [&](const std::string& scenario, const std::vector<Strategy>& all) {
-    return runs_of_all(scenario, with(without_bundle, with(thesis_features("0.4"), all)), settings,
-                       fresh_rooms);
+    return runs_of_all(scenario, with(thesis_features("0.4"), all), settings, fresh_rooms);
   };
   const Strategy all_counted = as_printed(by_gaze()[0]);
   const std::vector<Runs> mapped = runs("explore-room", by_gaze()), other = runs("explore-room", baselines()),

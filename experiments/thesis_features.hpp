@@ -9,7 +9,7 @@
 
 namespace incognita::exploring {
 
-/// `sigma_pixel_px`: of the measurements. A camera that moves freely needs `without_bundle`, too; others have no bundle adjustment.
+/// `sigma_pixel_px`: of the measurements.
 inline Sets thesis_features(const std::string& sigma_pixel_px) {
   return {"sensor.sigma_pixel_px=" + sigma_pixel_px,
           "sensor.adapt_sigma_pixel=false",
@@ -19,14 +19,14 @@ inline Sets thesis_features(const std::string& sigma_pixel_px) {
           "landmark_initialization.selection=random-box",
           "landmark_initialization.max_new_per_frame=1",
           "landmark_initialization.min_corner_strength=30",
+          "landmark_initialization.scale_prior_to_view=false",
           "landmark_initialization.second_order=false",
           "map.wanted_visible=12",
           "map.max_landmarks=200",
           "map.replace_when_full=false",
-          "map.memory_attempts=0"};
+          "map.memory_attempts=0",
+          "bundle.adjust=false"};
 }
-
-inline const Sets without_bundle{"bundle.adjust=false"};
 
 /// The same strategies with these settings, too.
 inline std::vector<Strategy> with(const Sets& sets, std::vector<Strategy> strategies) {

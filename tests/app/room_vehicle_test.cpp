@@ -55,6 +55,13 @@ TEST(RoomVehicle, LocalizesByImagesOnUnevenGround) {
   EXPECT_GT(ran.last.landmarks.size(), 10u);
 }
 
+/// Without bundle adjustment it was 0.44 m off, and overconfident.
+TEST(RoomVehicle, BundleAdjustmentKeepsItsMapFromBending) {
+  const Ran ran = run(load_scenario("explore-terrain", std::vector<std::string>{"run.seed=104"}));
+  EXPECT_EQ(ran.lost, 0);
+  EXPECT_LT(ran.rms_m, 0.15);
+}
+
 TEST(RoomVehicle, OdometryReducesTheSpeedSigma) {
   const Ran images = drive({"run.duration_s=4"}),
             wheels = drive({"run.duration_s=4", "estimator.use_odometry=true"});

@@ -39,6 +39,7 @@ incognita_test(withheld_truth_test SOURCES app/withheld_truth_test.cpp USES inco
 incognita_test(relocalization_in_room_test SOURCES app/relocalization_in_room_test.cpp USES incognita::app)
 incognita_test(run_description_test SOURCES app/run_description_test.cpp USES incognita::app)
 incognita_test(room_vehicle_test SOURCES app/room_vehicle_test.cpp USES incognita::app)
+incognita_test(hand_held_test SOURCES app/hand_held_test.cpp USES incognita::app)
 incognita_test(room_motion_test SOURCES app/room_motion_test.cpp USES incognita::app fmt::fmt)
 incognita_test(combinations_test SOURCES app/combinations_test.cpp app/sensor_combinations_test.cpp USES incognita::app)
 incognita_test(laboratory_test SOURCES app/laboratory_test.cpp USES incognita_app_laboratory)

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <string>
 
 #include "incognita/models/sensors/wide_angle_camera.hpp"
@@ -106,6 +108,27 @@ TEST(SingleCamera, TracksAlikeWhateverItsFirstTick) {
   EXPECT_EQ(means[0], means[1]);
   EXPECT_EQ(means[0], means[2]);
   EXPECT_EQ(covariances[0], covariances[1]);
+}
+
+/// The alignment of whole images takes a shadow that sweeps over the scene for a turn of the camera. The search without it finds
+/// more features.
+TEST(SingleCamera, AMovingShadowIsNoTurn) {
+  const auto scene = blocks(1);
+  SlamEstimator tracking = estimator(CameraSlamSettings{});
+  Estimate estimate;
+  for (int k = 0; k < 30; ++k) {
+    auto image = std::make_shared<Image>(scene->width(), scene->height());
+    const double moved_px = 40.0 * std::max(0, k - 20);
+    for (int v = 0; v < image->height(); ++v)
+      for (int u = 0; u < image->width(); ++u)
+        (*image)(u, v) = static_cast<std::uint8_t>(
+            0.3 * (*scene)(u, v) + 85 + 80 * std::sin(2 * std::numbers::pi * (u - moved_px) / 200));
+    tracking.update(estimate, {}, seeing(image), tick(0, 0, k));
+    EXPECT_EQ(estimate.status.state, TrackingState::tracking)
+        << "frame " << k << ": " << estimate.status.reason;
+    if (k > 0) EXPECT_GT(estimate.last.matched, 10) << "frame " << k;
+  }
+  EXPECT_LT(estimate.camera_state().head<3>().norm(), 0.05);
 }
 
 /// An image may go when the tick is over: nothing of it is looked at in the next.

@@ -41,7 +41,7 @@ struct Scene {
       t.estimate.landmarks.emplace(i, landmark);
     }
     keyframes.start(start, Eigen::Matrix<double, 6, 6>::Zero(), 0);
-    for (const KeyframeMatch& match : matches(0)) keyframes.add_new(match);
+    for (const KeyframeMatch& match : matches(0)) keyframes.add_new(match, {});
   }
 
   std::vector<KeyframeMatch> matches(int keyframe) const {

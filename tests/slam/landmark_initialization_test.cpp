@@ -91,6 +91,22 @@ TEST(LandmarkInitialization, OfAnInverseDepthIsTheRayWithItsPropagatedCovariance
   EXPECT_EQ(estimate.belief.dense_covariance().topLeftCorner(15, 15), before) << "all else is as it was";
 }
 
+TEST(LandmarkInitialization, TheDepthPriorIsScaledToANearerView) {
+  TrackedCamera tracked{.camera = camera};
+  const auto prior = [&](double median_depth_m, bool scaled) {
+    tracked.median_depth_m = median_depth_m;
+    tracked.settings.initialization.scale_prior_to_view = scaled;
+    const DepthPrior of_new = tracked.depth_prior();
+    return Eigen::Vector2d(of_new.mean, of_new.sigma);
+  };
+  tracked.settings.initialization.inverse_depth_per_m = 0.5;
+  tracked.settings.initialization.sigma_inverse_depth_per_m = 0.4;
+  EXPECT_TRUE(prior(0.5, true).isApprox(Eigen::Vector2d(2, 1.6)));
+  EXPECT_TRUE(prior(2, true).isApprox(Eigen::Vector2d(0.5, 0.4)));
+  EXPECT_TRUE(prior(8, true).isApprox(Eigen::Vector2d(0.5, 0.4)));
+  EXPECT_TRUE(prior(0.5, false).isApprox(Eigen::Vector2d(0.5, 0.4)));
+}
+
 TEST(LandmarkInitialization, OfADepthLineIsTheRayAndUniformParticles) {
   CameraSlamSettings settings = few_features();
   settings.initialization.method = InitializationSettings::Method::depth_line;

@@ -38,7 +38,7 @@ struct Scene {
       EXPECT_TRUE(t.initialize(image, pixel));
       const std::int64_t id = t.tracked.features.rbegin()->first;
       truth[id] = at;
-      keyframes.add_new({id, pixel, Eigen::Matrix2d::Identity()});
+      keyframes.add_new({id, pixel, Eigen::Matrix2d::Identity()}, {});
     }
     t.move_to(camera_at({-0.1, 0.05, 1}, -0.1), 0.01);
     EXPECT_TRUE(t.initialize(wall.seen_from(t.estimate.belief.mean(t.camera_block())), {160, 120}));

@@ -173,7 +173,8 @@ void landmark_initialization(SettingReader& r, InitializationSettings& i) {
   if (i.method == I::Method::depth_line)
     r.some(i, &I::particles, &I::depth_ratio, &I::max_line_failures);
   else
-    r.some(i, &I::inverse_depth_per_m, &I::sigma_inverse_depth_per_m, &I::max_linearity, &I::second_order);
+    r.some(i, &I::inverse_depth_per_m, &I::sigma_inverse_depth_per_m, &I::scale_prior_to_view,
+           &I::max_linearity, &I::second_order);
 }
 
 void image_estimator(SettingReader& r, Scenario& s) {
@@ -191,10 +192,8 @@ void image_estimator(SettingReader& r, Scenario& s) {
   landmark_initialization(r, s.slam.initialization);
   r.section("map");
   r.all(s.slam.map);
-  if (s.is_room_vehicle())
-    s.slam.bundle.adjust = false;  // its wheels are no part of a bundle
-  else
-    r.section("bundle"), r.all(s.slam.bundle);
+  r.section("bundle");
+  r.all(s.slam.bundle);
   r.section("relocalization");
   r.all(s.slam.relocalization);
   image_health(r, s.slam.health);

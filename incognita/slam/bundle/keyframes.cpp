@@ -122,8 +122,10 @@ void Keyframes::add_matches(const Estimate& estimate, BlockId body,
   }
 }
 
-void Keyframes::add_new(const KeyframeMatch& match) {
-  tracks_[match.id].seen.push_back({last(), match.pixel, match.cov});
+void Keyframes::add_new(const KeyframeMatch& match, const DepthPrior& prior) {
+  Track& track = tracks_[match.id];
+  track.prior = prior;
+  track.seen.push_back({last(), match.pixel, match.cov});
 }
 
 /// The landmark as seen from its first keyframe; nothing behind it.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "incognita/slam/bundle/adjust_bundle.hpp"
+#include "incognita/slam/bundle/depth_prior.hpp"
 #include "incognita/slam/mapper/estimate.hpp"
 
 namespace incognita {
@@ -29,11 +30,6 @@ struct KeyframePolicy {
   double min_matched_share = 0.8;
 };
 
-/// Prior of the inverse depth of a landmark, 1/m.
-struct DepthPrior {
-  double mean = 0.5, sigma = 0.5;
-};
-
 class Keyframes {
  public:
   /// Forgets all, and begins at time `t`, s, with a camera pose of this covariance. If that is that of an origin, next to zero, the pose is fixed
@@ -47,8 +43,8 @@ class Keyframes {
   void add(const Estimate& estimate, BlockId body, const std::vector<KeyframeMatch>& matches, double t);
   /// Adds matches to the last keyframe, which is the current pose of that body.
   void add_matches(const Estimate& estimate, BlockId body, const std::vector<KeyframeMatch>& matches);
-  /// Adds a landmark that begins in the last keyframe.
-  void add_new(const KeyframeMatch& match);
+  /// Adds a landmark that begins in the last keyframe, with the prior that the belief began with.
+  void add_new(const KeyframeMatch& match, const DepthPrior& prior);
 
   /// Adjusts the last `window` keyframes and the landmarks seen in them, and moves the means of the belief. `body`: the free
   /// camera, in the last keyframe. Its velocity and rate follow from the change relative to the keyframe before. If the
@@ -84,7 +80,7 @@ class Keyframes {
   };
   struct Track {
     std::vector<Seen> seen;
-    std::optional<DepthPrior> prior = {};   ///< of the depth in the first view; none: that of new landmarks
+    std::optional<DepthPrior> prior = {};   ///< of the depth in the first view; none: that given to adjust()
     std::optional<BundlePoint> point = {};  ///< after the last adjustment; its host is the number of a view
   };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -81,7 +83,7 @@ void SlamEstimator::update(Estimate& e, const Command& command, const Observatio
   note_lost(e);
   predict(e, command, observation, tick);
   stage.mark("predict");
-  if (tracks) match_images(e, tick, stage);
+  if (tracks) match_images(e, stage);
   associate_detections(e, observation, settings_, inliers_);
   stage.mark("associate");
   const bool corrected = correct(e);
@@ -178,28 +180,21 @@ void SlamEstimator::predict(Estimate& e, const Command& command, const Observati
   }
 }
 
-/// Predicts the features of a camera. A camera that moves freely and turned by more than its motion model allows is turned by
-/// as much as the whole image did, with an uncertainty of that size; part of it may be translation.
 void SlamEstimator::predict_features(Estimate& e, FeatureTracker& camera) {
-  const bool was_lost = bodies_[camera.camera().body].was_lost;
-  if (!was_lost) camera.align(e, motion_of(camera));
-  camera.predict(e, motion_of(camera));
-  if (was_lost) return;
-  const std::optional<Eigen::Vector3d> turn = camera.unexpected_turn();
-  const double since_image_s = e.bodies[camera.camera().body].t - camera.last_image_t();
-  if (!turn || camera.camera().mount || !(since_image_s > 0)) return;
-  constexpr double translation_share = 0.5;  // of the image motion, in standard deviations of the turn
-  const double rad = turn->norm();
-  add_jump(e, camera.camera().body, *turn, translation_share * rad * camera.camera().median_depth_m, rad,
-           since_image_s);
-  camera.align(e, motion_of(camera));
+  if (!bodies_[camera.camera().body].was_lost) camera.align(e, motion_of(camera));
   camera.predict(e, motion_of(camera));
 }
 
+/// The rotation, rad in camera axes, of a camera that moves freely and turned by more than its motion model allows.
+std::optional<Eigen::Vector3d> SlamEstimator::jump_of(const Estimate& e, const FeatureTracker& camera) const {
+  const std::size_t body = camera.camera().body;
+  if (bodies_[body].was_lost || camera.camera().mount || !(e.bodies[body].t > camera.last_image_t()))
+    return std::nullopt;
+  return camera.unexpected_turn();
+}
+
 /// Finds the features in the images. Of a lost body only enough matches count, since few may be false.
-void SlamEstimator::match_images(Estimate& e, const Tick& tick, StageClock& stage) {
-  for (FeatureTracker& camera : cameras_) predict_features(e, camera);
-  stage.mark("predict");
+void SlamEstimator::search_features(Estimate& e, StageClock& stage) {
   for (FeatureTracker& camera : cameras_) camera.search();
   stage.mark("search");
   for (FeatureTracker& camera : cameras_) camera.add_plane_uncertainty();
@@ -210,8 +205,60 @@ void SlamEstimator::match_images(Estimate& e, const Tick& tick, StageClock& stag
         std::min(settings_.health.min_matches_to_relocate, camera.camera().most_measurements());
     if (bodies_[camera.camera().body].was_lost && camera.matched() < enough) camera.discard_matches();
   }
-  discard_few_matches();
   stage.mark("consensus");
+}
+
+/// Turns cameras that jumped by as much as their whole images did, with an uncertainty of that size; part of it may be
+/// translation.
+void SlamEstimator::add_jumps(Estimate& e) {
+  constexpr double translation_share = 0.5;  // of the image motion, in standard deviations of the turn
+  for (std::size_t k = 0; k < cameras_.size(); ++k) {
+    if (!jumps_[k]) continue;
+    const TrackedCamera& camera = cameras_[k].camera();
+    const double rad = jumps_[k]->norm();
+    add_jump(e, camera.body, *jumps_[k], translation_share * rad * camera.median_depth_m, rad,
+             e.bodies[camera.body].t - cameras_[k].last_image_t());
+  }
+}
+
+/// Searches without jumps, which follow from the alignment of whole images, and with them, and takes what finds more: the
+/// alignment may be wrong, by a shadow for example.
+void SlamEstimator::search_features_after_jump(Estimate& e, StageClock& stage) {
+  const auto matched = [&] {
+    search_features(e, stage);
+    return std::transform_reduce(cameras_.begin(), cameras_.end(), 0, std::plus(),
+                                 [](const FeatureTracker& camera) { return camera.matched(); });
+  };
+  const auto without_alignment = [&] {
+    for (std::size_t k = 0; k < cameras_.size(); ++k)
+      if (jumps_[k]) cameras_[k].forget_alignment();
+  };
+  without_alignment();
+  const int without = matched();
+  AnyBelief before = e.belief;
+  add_jumps(e);
+  for (FeatureTracker& camera : cameras_) predict_features(e, camera);
+  stage.mark("predict");
+  if (matched() > without) return;
+  e.belief = std::move(before);
+  for (FeatureTracker& camera : cameras_) predict_features(e, camera);
+  without_alignment();
+  stage.mark("predict");
+  search_features(e, stage);
+}
+
+void SlamEstimator::match_images(Estimate& e, StageClock& stage) {
+  jumps_.clear();
+  for (FeatureTracker& camera : cameras_) {
+    predict_features(e, camera);
+    jumps_.push_back(jump_of(e, camera));
+  }
+  stage.mark("predict");
+  if (std::ranges::any_of(jumps_, [](const auto& jump) { return jump.has_value(); }))
+    search_features_after_jump(e, stage);
+  else
+    search_features(e, stage);
+  discard_few_matches();
   for (FeatureTracker& camera : cameras_)
     if (bodies_[camera.camera().body].was_lost && searches_whole_map(camera)) find_in_map(e, camera);
   stage.mark("relocalize");

@@ -49,7 +49,11 @@ class SlamEstimator final : public Estimator {
   bool carries_camera(std::size_t body) const;
   void predict(Estimate& estimate, const Command& command, const Observation& observation, const Tick& tick);
   void predict_features(Estimate& estimate, FeatureTracker& camera);
-  void match_images(Estimate& estimate, const Tick& tick, StageClock& stage);
+  std::optional<Eigen::Vector3d> jump_of(const Estimate& estimate, const FeatureTracker& camera) const;
+  void search_features(Estimate& estimate, StageClock& stage);
+  void add_jumps(Estimate& estimate);
+  void search_features_after_jump(Estimate& estimate, StageClock& stage);
+  void match_images(Estimate& estimate, StageClock& stage);
   void discard_few_matches();
   bool searches_whole_map(const FeatureTracker& camera) const;
   void find_in_map(Estimate& estimate, FeatureTracker& camera);
@@ -76,6 +80,7 @@ class SlamEstimator final : public Estimator {
   std::vector<FrameCounter> frame_counters_;  ///< of each camera
   EstimatorStart start_;
   std::vector<TrackedBody> bodies_;
+  std::vector<std::optional<Eigen::Vector3d>> jumps_;  ///< rad, of each camera in this frame
   Inliers inliers_;
   LandmarkPruning pruning_;
   RunningEntropy entropy_;

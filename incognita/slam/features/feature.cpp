@@ -23,6 +23,13 @@ Viewpoint viewpoint(const Estimate& e, const TrackedCamera& c, const AnyMotion& 
   return viewpoint_of(e.belief.mean(block), motion, c.mount, block);
 }
 
+DepthPrior TrackedCamera::depth_prior() const {
+  const InitializationSettings& s = settings.initialization;
+  const double nearer = 1 / (median_depth_m * s.inverse_depth_per_m);
+  const double scale = s.scale_prior_to_view ? std::max(1.0, nearer) : 1;
+  return {scale * s.inverse_depth_per_m, scale * s.sigma_inverse_depth_per_m};
+}
+
 RayDepth depth_of(const std::vector<DepthHypothesis>& hypotheses) {
   double mean = 0, square = 0;
   for (const DepthHypothesis& h : hypotheses) {

@@ -11,6 +11,7 @@
 
 #include "incognita/models/motion/mount.hpp"
 #include "incognita/models/sensors/camera_measurement.hpp"
+#include "incognita/slam/bundle/depth_prior.hpp"
 #include "incognita/slam/features/patch_plane.hpp"
 #include "incognita/slam/features/settings.hpp"
 #include "incognita/slam/mapper/estimate.hpp"
@@ -129,9 +130,12 @@ struct TrackedCamera {
   std::vector<RayMatch> ray_matches = {};
   std::vector<DepthParticle> ray_particles = {};  ///< of those, one after the other
   double median_depth_m = 1;                      ///< distance of the landmarks matched last, or of a new one
-  int max_measurements = 0;                       ///< without SearchSettings::max_measurements
-  int predicted = 0;                              ///< features searched for
-  int matched = 0;                                ///< inliers
+  /// Prior of the inverse depth of a new landmark. That of the settings may lie far from all depths in view, and the error is
+  /// common to all new landmarks: if these are a wall at 0.5 m that is expected at 2 m, translation looks like rotation.
+  DepthPrior depth_prior() const;
+  int max_measurements = 0;  ///< without SearchSettings::max_measurements
+  int predicted = 0;         ///< features searched for
+  int matched = 0;           ///< inliers
 
   /// Features that are searched for at most.
   int most_measurements() const {

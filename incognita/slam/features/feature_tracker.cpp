@@ -264,7 +264,8 @@ void FeatureTracker::adopt(std::int64_t id, Feature feature) { camera_.features[
 void FeatureTracker::add_new_landmarks_to_keyframe(std::int64_t newest) {
   for (auto feature = camera_.features.upper_bound(newest); feature != camera_.features.end(); ++feature)
     keyframes_.add_new(
-        {feature->first, feature->second.view.pixel, camera_.pixel_var() * Eigen::Matrix2d::Identity()});
+        {feature->first, feature->second.view.pixel, camera_.pixel_var() * Eigen::Matrix2d::Identity()},
+        camera_.depth_prior());
 }
 
 /// Covariance of the pose of a camera that is the body itself.
@@ -293,9 +294,7 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
   AdjustmentSettings adjustment;
   adjustment.max_iterations = settings.max_iterations;
   adjustment.robust.limit_sigmas = settings.limit_sigmas;
-  const InitializationSettings& initialization = camera_.settings.initialization;
-  keyframes_.adjust(estimate, camera_.view.body, camera_.camera, adjustment,
-                    {initialization.inverse_depth_per_m, initialization.sigma_inverse_depth_per_m},
+  keyframes_.adjust(estimate, camera_.view.body, camera_.camera, adjustment, camera_.depth_prior(),
                     settings.window);
   if (keyframes_.start_again(camera_.camera, adjustment)) {
     renew_map(keyframes_, estimate, camera_);

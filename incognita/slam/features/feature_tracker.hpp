@@ -58,6 +58,7 @@ class FeatureTracker {
 
   /// Aligns the image with the one before, from the predicted motion, to guide the search.
   void align(const Estimate& estimate, const AnyMotion& motion);
+  void forget_alignment() { camera_.guide.reset(); }
   /// Predicts the features in view from the current estimate.
   void predict(const Estimate& estimate, const AnyMotion& motion);
   /// Rotation vector, rad in camera axes, by which the camera turned beyond the prediction according to the whole image, if

@@ -181,7 +181,7 @@ namespace {
 NewLandmark on_ray(const InverseDepthLandmark::Initialization& initialized, const TrackedCamera& camera,
                    int errors) {
   Eigen::Matrix<double, 6, 6> noise = camera.pixel_var() * initialized.Jz * initialized.Jz.transpose();
-  noise(5, 5) += std::pow(camera.settings.initialization.sigma_inverse_depth_per_m, 2);
+  noise(5, 5) += std::pow(camera.depth_prior().sigma, 2);
   // The initial position duplicates the camera position: regularization keeps the covariance positive definite
   noise.topLeftCorner<3, 3>() += 1e-8 * Eigen::Matrix3d::Identity();
   const Viewpoint& view = camera.view;
@@ -197,8 +197,8 @@ bool initialize_from_image(const ImagePyramid& image, const Eigen::Vector2d& pix
                            TrackedCamera& camera) {
   const InitializationSettings& initialization = camera.settings.initialization;
   auto view = cut_view(image, pixel, camera.view.camera, camera.camera, camera.settings);
-  const auto initialized = InverseDepthLandmark::initialize(camera.camera, camera.view.camera, pixel,
-                                                            initialization.inverse_depth_per_m);
+  const auto initialized =
+      InverseDepthLandmark::initialize(camera.camera, camera.view.camera, pixel, camera.depth_prior().mean);
   if (!view || !initialized) return false;
   const bool as_line = initialization.method == InitializationSettings::Method::depth_line;
   Landmark landmark;

@@ -28,7 +28,7 @@ void begin_again(Landmark& landmark, const Eigen::Vector3d& point, const BundleV
   InverseDepthLandmark::State y;
   y << host.position, point;
   Eigen::Matrix<double, 6, 6> cov = camera.pixel_var() * initialized->Jz * initialized->Jz.transpose();
-  cov(5, 5) += std::pow(camera.settings.initialization.sigma_inverse_depth_per_m, 2);
+  cov(5, 5) += std::pow(camera.depth_prior().sigma, 2);
   cov.topLeftCorner<5, 5>() += least_var * Eigen::Matrix<double, 5, 5>::Identity();
   landmark.form.kind = LandmarkParametrization::Kind::inverse_depth;
   landmark.form.initial_axes = host.world_from_camera;

@@ -110,6 +110,7 @@ struct InitializationSettings {
   int max_line_failures = 10;
   double inverse_depth_per_m = 0.5;
   double sigma_inverse_depth_per_m = 0.5;
+  bool scale_prior_to_view = true;
   double max_linearity = 0.1;
   bool second_order = true;
 
@@ -146,6 +147,10 @@ struct InitializationSettings {
             "Prior mean of the inverse depth");
     setting(&S::sigma_inverse_depth_per_m, "sigma_inverse_depth_per_m", "1/m", above_up_to(0, 1000),
             "Prior standard deviation of the inverse depth");
+    setting(
+        &S::scale_prior_to_view, "scale_prior_to_view", "", any(),
+        "Whether the prior of the inverse depth is multiplied so that its mean is that of the landmarks in view, if "
+        "these are nearer");
     setting(&S::max_linearity, "max_linearity", "", between(0, 10),
             "Linearity index (Civera et al. 2008) below which an inverse depth becomes a point");
     setting(
@@ -190,7 +195,7 @@ struct MapSettings {
   }
 };
 
-/// For one camera that moves freely, with no other sensor, inverse depths and a belief in covariance form: others do not adjust.
+/// For one camera that is the only sensor, inverse depths and a belief in covariance form: others do not adjust.
 struct BundleSettings {
   bool adjust = true;
   int window = 15;
@@ -203,8 +208,10 @@ struct BundleSettings {
   static void describe(auto&& setting) {
     using namespace limits;
     using S = BundleSettings;
-    setting(&S::adjust, "adjust", "", any(),
-            "Whether bundle adjustment over the last keyframes estimates camera poses and landmarks anew");
+    setting(
+        &S::adjust, "adjust", "", any(),
+        "Whether bundle adjustment over the last keyframes estimates camera poses and landmarks anew; never with wheel "
+        "odometry, position fixes or depth lines");
     setting(&S::window, "window", "", between(2, 1000),
             "Keyframes whose poses an adjustment estimates, at most");
     setting(&S::min_frames, "min_frames", "", between(1, 100000), "Least number of frames between keyframes");

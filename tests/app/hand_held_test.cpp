@@ -15,7 +15,8 @@ struct Ran {
 };
 
 Ran run(const std::string& seed, const std::vector<std::string>& sets) {
-  Assembly assembly = assemble(load_scenario("hand-held", sets, std::vector<Flag>{{"run.seed", seed, "argument"}}));
+  Assembly assembly =
+      assemble(load_scenario("hand-held", sets, std::vector<Flag>{{"run.seed", seed, "argument"}}));
   Ran ran;
   int frames = 0;
   run_loop(

@@ -221,8 +221,8 @@ void SlamEstimator::add_jumps(Estimate& e) {
   }
 }
 
-/// Searches without jumps, which follow from the alignment of whole images, and with them, and takes what finds more: the
-/// alignment may be wrong, by a shadow for example.
+/// Jumps follow from the alignment of whole images, which may be wrong, by a shadow for example. Searches without them and
+/// then with them, and leaves them out if more features, and enough to track, are found without.
 void SlamEstimator::search_features_after_jump(Estimate& e, StageClock& stage) {
   const auto matched = [&] {
     search_features(e, stage);
@@ -235,11 +235,13 @@ void SlamEstimator::search_features_after_jump(Estimate& e, StageClock& stage) {
   };
   without_alignment();
   const int without = matched();
+  int searched = 0;
+  for (const FeatureTracker& camera : cameras_) searched += camera.camera().predicted;
   AnyBelief before = e.belief;
   add_jumps(e);
   for (FeatureTracker& camera : cameras_) predict_features(e, camera);
   stage.mark("predict");
-  if (matched() > without) return;
+  if (matched() >= without || without < settings_.health.min_matched_share * searched) return;
   e.belief = std::move(before);
   for (FeatureTracker& camera : cameras_) predict_features(e, camera);
   without_alignment();

@@ -195,7 +195,7 @@ struct MapSettings {
   }
 };
 
-/// For one camera that is the only sensor, inverse depths and a belief in covariance form: others do not adjust.
+/// Of one camera that is the only sensor, with inverse depths and a belief in covariance form.
 struct BundleSettings {
   bool adjust = true;
   int window = 15;

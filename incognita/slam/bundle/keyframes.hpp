@@ -32,8 +32,8 @@ struct KeyframePolicy {
 
 class Keyframes {
  public:
-  /// Forgets all, and begins at time `t`, s, with a camera pose of this covariance. If that is that of an origin, next to zero, the pose is fixed
-  /// and gives the frame of the world.
+  /// Forgets all, and begins at time `t`, s, with a camera pose of this covariance. If that is next to zero, as of an origin, the
+  /// pose is fixed and gives the frame of the world.
   void start(const CameraState& camera, const Eigen::Matrix<double, 6, 6>& cov, double t);
 
   /// Counts a frame with these matches.

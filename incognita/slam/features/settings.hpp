@@ -149,8 +149,8 @@ struct InitializationSettings {
             "Prior standard deviation of the inverse depth");
     setting(
         &S::scale_prior_to_view, "scale_prior_to_view", "", any(),
-        "Whether the prior of the inverse depth is multiplied so that its mean is that of the landmarks in view, if "
-        "these are nearer");
+        "Whether mean and standard deviation of this prior are scaled to the median depth of the matched landmarks "
+        "where that is nearer");
     setting(&S::max_linearity, "max_linearity", "", between(0, 10),
             "Linearity index (Civera et al. 2008) below which an inverse depth becomes a point");
     setting(

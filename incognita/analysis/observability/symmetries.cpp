@@ -1,7 +1,9 @@
 #include "incognita/analysis/observability/symmetries.hpp"
 
 #include <Eigen/SVD>
-#include <algorithm>
+#include <utility>
+
+#include "incognita/math/median.hpp"
 
 namespace incognita {
 namespace {
@@ -26,11 +28,10 @@ void put_inverse_depth(const SpatialScene::Landmark& landmark, const Eigen::Vect
   N(5, 6) = -y[5];
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 1;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle > 0 ? *middle : 1;
+/// The median; 1 m without any, and if it is 0.
+double typical(std::vector<double> distances_m) {
+  const double middle = distances_m.empty() ? 0 : median(distances_m);
+  return middle > 0 ? middle : 1;
 }
 
 }  // namespace
@@ -116,7 +117,7 @@ double typical_distance(const PlanarScene& scene) {
   std::vector<double> distances;
   for (const auto& landmark : scene.landmarks)
     distances.push_back((landmark.position - scene.position()).norm());
-  return median(std::move(distances));
+  return typical(std::move(distances));
 }
 
 double typical_distance(const SpatialScene& scene) {
@@ -124,7 +125,7 @@ double typical_distance(const SpatialScene& scene) {
   for (const auto& landmark : scene.landmarks)
     if (const auto at = landmark_point(landmark))
       distances.push_back((at->position - scene.position()).norm());
-  return median(std::move(distances));
+  return typical(std::move(distances));
 }
 
 Eigen::VectorXd units_of(const PlanarScene& scene) {

@@ -150,6 +150,14 @@ void Recorder::write_series_mat() const {
   write_mat(directory_.file("series.mat"), mat);
 }
 
+void Recorder::write_adjusted() const {
+  const Trajectory adjusted = summary_.adjusted_trajectory();
+  if (adjusted.empty()) return;
+  RowFile file(directory_.file("adjusted.tum"), tum_header(info_.body));
+  for (const StampedPose& pose : adjusted) file.append(tum_row(pose), pose.t);
+  file.close();
+}
+
 RunOutcome Recorder::finish(RunStatus status, const std::string& reason, const Finishing& finishing) {
   std::vector<std::string> failures;
   const auto attempt = [&](const auto& step) {
@@ -172,6 +180,7 @@ RunOutcome Recorder::finish(RunStatus status, const std::string& reason, const F
   });
   attempt([&] { timings_.close(); });
   attempt([&] { log_->close(map_); });
+  attempt([&] { write_adjusted(); });
   attempt([&] { write_map_csv(directory_.file("map.csv"), map_); });
   attempt([&] { write_map_ply(directory_.file("map.ply"), map_); });
   attempt([&] {

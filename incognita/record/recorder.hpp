@@ -30,6 +30,7 @@ struct RunOutcome {
 /// - effective.toml: the settings in force, as passed by the caller.
 /// - estimate.tum, truth.tum: `t x y z qx qy qz qw`, world_from_camera. estimate.tum has no row while
 ///   starting or lost. There is no truth.tum if the truth is unknown.
+/// - adjusted.tum: the same poses with the keyframes as bundle adjustment had them last, if there was one; at the end.
 /// - covariance.csv: t and the row-major 6x6 covariance of each row of estimate.tum, order x y z rotX rotY
 ///   rotZ: position in the world (m), rotation as right error in camera axes (rad), q_true = q * exp(rot/2).
 /// - series.csv: see series_columns(). measurements.csv: every measurement with its association.
@@ -73,6 +74,7 @@ class Recorder {
   void refresh_summary(double t_s);
   void open_series();
   void write_series_mat() const;
+  void write_adjusted() const;
 
   RunInfo info_;
   bool compare_with_truth_;

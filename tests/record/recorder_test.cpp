@@ -13,6 +13,7 @@
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/files/number.hpp"
 #include "incognita/record/files/tum.hpp"
+#include "incognita/record/snapshot/series.hpp"
 #include "mcap_reader.hpp"
 #include "schema.hpp"
 #include "synthetic_run.hpp"
@@ -154,6 +155,35 @@ TEST(Recorder, SummarizesARun) {
   EXPECT_LT(json["overconfident_frames"].get<int>(), 10);  // expected 600 * 0.0027 = 1.6
   EXPECT_EQ(json["timing_ms"]["frame"]["median"], 5.0);
   EXPECT_EQ(json["timing_ms"]["birth"]["p99"], 1.0);
+}
+
+TEST(Recorder, WritesTheTrajectoryAfterBundleAdjustment) {
+  const Scratch scratch;
+  const SyntheticRun synthetic;
+  {
+    Recorder recorder(scratch / "run", info());
+    Trajectory truth;
+    for (int i = 0; i < synthetic.frames; ++i) {
+      Snapshot snapshot = testing::synthetic_snapshot(synthetic, i);
+      if (has_pose(snapshot.bodies[0])) {
+        truth.push_back(*snapshot.bodies[0].truth);
+        snapshot.keyframes = {snapshot.bodies[0].estimate, truth};
+      }
+      recorder.publish(snapshot);
+    }
+    EXPECT_EQ(recorder.finish(RunStatus::done, "").status, RunStatus::done);
+  }
+  const Json json = summary(scratch / "run");
+  EXPECT_EQ(testing::problems(json, schema()), "");
+  EXPECT_GT(json["ate_m"].get<double>(), 0.02);
+  EXPECT_LT(json["ate_adjusted_m"].get<double>(), 1e-12);
+  const Trajectory adjusted = read_trajectory(scratch / "run/adjusted.tum");
+  EXPECT_EQ(adjusted.size(), read_trajectory(scratch / "run/estimate.tum").size());
+  EXPECT_EQ(adjusted.back().t, testing::synthetic_snapshot(synthetic, synthetic.frames - 1).tick.t);
+  // Without adjusted keyframes an earlier file goes
+  record(scratch / "run", synthetic);
+  EXPECT_FALSE(fs::exists(scratch / "run/adjusted.tum"));
+  EXPECT_FALSE(summary(scratch / "run").contains("ate_adjusted_m"));
 }
 
 /// Report of a filter with one anchor, with more directions than fit.

@@ -88,6 +88,15 @@ std::vector<SnapshotLandmark> landmarks_of(const Estimate& e) {
   return out;
 }
 
+SnapshotKeyframes keyframes_of(const AdjustedKeyframes& adjusted, double t) {
+  const auto stamped = [](double at, const RigidPose& pose) {
+    return StampedPose{at, pose.position, pose.world_from_body};
+  };
+  SnapshotKeyframes out{stamped(t, adjusted.before), {}};
+  for (const PastPose& past : adjusted.poses) out.poses.push_back(stamped(past.t, past.pose));
+  return out;
+}
+
 template <class Numbers>
 Eigen::Vector2d first_two(const Numbers& z) {
   return {z.size() > 0 ? z[0] : nan, z.size() > 1 ? z[1] : nan};
@@ -134,6 +143,7 @@ Snapshot snapshot_of(const Tick& tick, const std::optional<Truth>& truth, const 
     s.nis = e.last.update.nis;
     s.nis_dof = e.last.update.rows;
   }
+  if (e.last.adjusted) s.keyframes = keyframes_of(*e.last.adjusted, tick.t);
   for (const Body& body : e.bodies)
     if (body.health.readout) s.readout = body.health.readout;
   s.entropy = {e.entropy.vehicle, e.entropy.map, e.entropy.total, e.entropy_t.value_or(std::nan(""))};

@@ -85,6 +85,12 @@ struct SnapshotBody {
   SnapshotDecision decision;
 };
 
+/// Keyframes of the only body that bundle adjustment estimated again in this frame.
+struct SnapshotKeyframes {
+  StampedPose before;  ///< the pose of this frame, before that
+  Trajectory poses;    ///< in time order; the last is that of this frame
+};
+
 struct SnapshotEntropy {  ///< nats; NaN if unknown
   double vehicle, map, total;
   double t = std::numeric_limits<double>::quiet_NaN();  ///< s, the time that map and total stand for
@@ -101,7 +107,8 @@ struct Snapshot {
   int matched = 0;                          ///< matches used by the filter in this frame
   double nis = 0;                           ///< normalized innovation squared of this frame's update, summed
   int nis_dof = 0;                          ///< degrees of freedom of `nis`; 0 without an update
-  std::optional<Readout> readout;           ///< of a rolling shutter, if the residuals of a camera show one
+  std::optional<SnapshotKeyframes> keyframes;
+  std::optional<Readout> readout;  ///< of a rolling shutter, if the residuals of a camera show one
   SnapshotEntropy entropy{};
   std::optional<double> coverage;  ///< viewed share of the exploration volume
   /// Entropy in nats of vehicle, map and expected unmapped landmarks (Figure 6.3), from the last decision.

@@ -46,6 +46,8 @@ std::string errors_in_words(const BodyReport& body, const RunReport& r) {
                                                 : "no error: too few poses with truth for an alignment";
   std::string text = "ATE " + length_in_words(body.ate_m);
   if (r.alignment != AlignmentKind::none) text += fmt::format(" after {} alignment", name(r.alignment));
+  if (r.bodies.size() == 1 && std::isfinite(r.ate_adjusted_m))
+    text += fmt::format(" ({} with the keyframes as adjusted last)", length_in_words(r.ate_adjusted_m));
   if (std::isfinite(body.drift_percent))
     text += fmt::format(", drift {} % of the path", rounded(body.drift_percent));
   if (body.compared_frames < r.tracked_frames)

@@ -32,6 +32,8 @@ struct RunReport {
   bool truth_known = false;  ///< at any frame
   bool true_path = false;    ///< path lengths are of the true path, known at every frame with a pose
   BodyReport body;           ///< all bodies together
+  /// Of the trajectory with its keyframes as bundle adjustment had them last, after an alignment of its own
+  double ate_adjusted_m = std::numeric_limits<double>::quiet_NaN();
   std::vector<BodyReport> bodies;
   int landmarks = 0, anchors = 0;
   int surveyed = 0;  ///< landmarks the map can be compared with; 0: none

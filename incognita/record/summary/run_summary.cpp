@@ -34,7 +34,8 @@ constexpr const char* reserved[] = {"status",         "reason",
                                     "vehicles",       "degraded_frames",
                                     "path_m",         "drift_percent",
                                     "map_error_m",    "map_error_landmarks",
-                                    "consistency",    "compared_poses"};
+                                    "consistency",    "compared_poses",
+                                    "ate_adjusted_m"};
 
 std::string short_text(const std::string& text) {
   return text.size() <= max_text_bytes ? text : text.substr(0, max_text_bytes) + "...";
@@ -174,6 +175,7 @@ void RunSummary::add(const Snapshot& snapshot) {
   if (std::isfinite(snapshot.entropy.total)) entropy_ = snapshot.entropy;
   consistency_.add(snapshot);
   paths_.add(snapshot);
+  adjusted_.add(snapshot);
   if (!survey_.landmarks.empty()) map_ = snapshot.landmarks;
   compare_with_truth(snapshot);
   if (alignment_ == AlignmentKind::none) distances_.add(snapshot);
@@ -227,6 +229,20 @@ RunReport RunSummary::report(RunStatus status, const std::string& reason) const 
   return r;
 }
 
+/// Rms over the same poses as `ate_m`; NaN without adjusted keyframes.
+double RunSummary::ate_adjusted_m() const {
+  if (matched_.size() != 1) return unknown;
+  MatchedTrajectories matched{{}, matched_[0].truth};
+  auto next = matched_[0].estimate.begin();
+  for (const StampedPose& pose : adjusted_.trajectory()) {
+    if (next == matched_[0].estimate.end() || pose.t != next->t) continue;
+    matched.estimate.push_back(pose);
+    ++next;
+  }
+  if (matched.estimate.size() != matched.truth.size()) return unknown;
+  return ate_m(matched, align(matched, alignment_));
+}
+
 void RunSummary::report_paths(RunReport& r) const {
   const MatchedTrajectories all = all_matched();
   const auto alignment = align(all, alignment_);
@@ -237,6 +253,7 @@ void RunSummary::report_paths(RunReport& r) const {
                 });
   if (!paths.empty()) r.body.path_length = 0;
   r.body.ate_m = ate_m(all, alignment);
+  r.ate_adjusted_m = ate_adjusted_m();
   r.body.compared_frames = paths.size() > 1 ? tracked_frames_ : std::ssize(all.estimate);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     BodyReport body;
@@ -302,6 +319,7 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
   if (has_truth_) {
     json["compared_poses"] = all_matched().estimate.size();
     json["ate_m"] = report.body.ate_m;
+    if (std::isfinite(report.ate_adjusted_m)) json["ate_adjusted_m"] = report.ate_adjusted_m;
     json["ate_alignment"] = name(alignment_);
     json["drift_percent"] = report.body.drift_percent;
     json["mean_nees"] = consistency_.mean_nees();

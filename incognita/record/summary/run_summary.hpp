@@ -10,6 +10,7 @@
 #include "incognita/analysis/evaluation/trajectory.hpp"
 #include "incognita/analysis/observability/observability_report.hpp"
 #include "incognita/record/snapshot/snapshot.hpp"
+#include "incognita/record/summary/adjusted_path.hpp"
 #include "incognita/record/summary/consistency_summary.hpp"
 #include "incognita/record/summary/exploration_summary.hpp"
 #include "incognita/record/summary/map_survey.hpp"
@@ -35,6 +36,8 @@ class RunSummary {
   /// The JSON document (docs/schemas/summary.schema.json).
   std::string json(RunStatus status, const std::string& reason) const;
   RunReport report(RunStatus status, const std::string& reason) const;
+  /// The trajectory after bundle adjustment; empty without one.
+  Trajectory adjusted_trajectory() const { return adjusted_.trajectory(); }
   /// The surveyed landmarks in the map frame; empty if the two cannot be aligned.
   std::vector<SurveyedLandmark> survey_on_map() const;
 
@@ -43,6 +46,7 @@ class RunSummary {
   void compare_with_truth(const Snapshot& snapshot);
   MatchedTrajectories all_matched() const;
   void report_paths(RunReport& report) const;
+  double ate_adjusted_m() const;
   void report_map(RunReport& report) const;
 
   std::string version_;
@@ -57,6 +61,7 @@ class RunSummary {
   SnapshotEntropy entropy_;  ///< the last known
   ConsistencySummary consistency_;
   PathSummary paths_;
+  AdjustedPath adjusted_;
   Survey survey_;
   std::vector<std::string> warnings_;
   std::vector<SnapshotLandmark> map_;  ///< of the last frame, if there is a survey

@@ -84,6 +84,7 @@ void Keyframes::start(const CameraState& camera, const Eigen::Matrix<double, 6, 
   tracks_.clear();
   ids_.clear();
   frames_ = 0;
+  times_ = {{0, t}};
   t_ = t_before_ = t;
 }
 
@@ -107,6 +108,7 @@ void Keyframes::add(const Estimate& estimate, BlockId body, const std::vector<Ke
                     double t) {
   t_before_ = std::exchange(t_, t);
   views_[last() + 1] = view_of(estimate.belief.mean(body));
+  times_[last()] = t;
   add_matches(estimate, body, matches);
   frames_ = 0;
 }
@@ -162,6 +164,7 @@ void Keyframes::forget_before(int first_free) {
       if (seen.view < first_free) kept.insert({seen.view, views_.at(seen.view)});
   }
   views_ = std::move(kept);
+  times_.erase(times_.begin(), times_.lower_bound(first_free));
 }
 
 /// The views of the points of the bundle; those before `first_free` are fixed.
@@ -249,6 +252,15 @@ AdjustmentReport Keyframes::adjust(Estimate& estimate, BlockId body, const Camer
   take_bundle();
   move_means(estimate, body, before);
   return report;
+}
+
+std::vector<PastPose> Keyframes::window() const {
+  std::vector<PastPose> poses;
+  for (const auto& [number, t] : times_) {
+    const BundleView& view = views_.at(number);
+    poses.push_back({t, {view.position, view.world_from_camera}});
+  }
+  return poses;
 }
 
 bool Keyframes::is_starting() const {

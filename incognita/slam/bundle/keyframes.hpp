@@ -67,6 +67,8 @@ class Keyframes {
   const BundleView& last_view() const { return views_.rbegin()->second; }
   const BundleView& view_before() const { return std::prev(views_.end(), 2)->second; }
   const BundleView& first_view() const { return views_.begin()->second; }
+  /// The keyframes of the window of the last adjustment, in time order.
+  std::vector<PastPose> window() const;
   int view_count() const { return static_cast<int>(views_.size()); }
   double elapsed_s() const { return t_ - t_before_; }  ///< between the last two
   /// A landmark whose host is the first keyframe, as adjusted; nothing for others.
@@ -94,6 +96,7 @@ class Keyframes {
   void move_means(Estimate& estimate, BlockId body, const BundleView& before) const;
 
   std::map<int, BundleView> views_;       ///< by number; older ones if a landmark was seen there
+  std::map<int, double> times_;           ///< s, of the views of the window
   std::map<std::int64_t, Track> tracks_;  ///< by landmark
   BundleView first_view_;                 ///< prior of view 0
   Eigen::Matrix<double, 6, 6> first_view_cov_ = Eigen::Matrix<double, 6, 6>::Zero();

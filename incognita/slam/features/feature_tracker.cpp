@@ -290,6 +290,7 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
     return false;
   }
   if (!keyframes_.is_due(matches, policy)) return false;
+  const BundleView before = view_of(camera_.view.camera);
   keyframes_.add(estimate, camera_.view.body, matches, estimate.bodies[camera_.body].t);
   AdjustmentSettings adjustment;
   adjustment.max_iterations = settings.max_iterations;
@@ -300,6 +301,7 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
     renew_map(keyframes_, estimate, camera_);
     pixel_noise_ = {};
   }
+  estimate.last.adjusted = {{before.position, before.world_from_camera}, keyframes_.window()};
   camera_.view = viewpoint(estimate, camera_, motion);
   before_ = camera_.view.camera;
   return true;

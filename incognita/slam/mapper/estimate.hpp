@@ -112,6 +112,18 @@ struct UsedFix {
   double sigma_m = 0;
 };
 
+/// A pose of the past, world_from_body, as estimated now.
+struct PastPose {
+  double t = 0;  ///< s
+  RigidPose pose;
+};
+
+/// Keyframes of the only body that were estimated again at this tick.
+struct AdjustedKeyframes {
+  RigidPose before;             ///< the pose of the body at this tick, before that
+  std::vector<PastPose> poses;  ///< in time order; the last is that of this tick
+};
+
 /// The results of one tick.
 struct FrameReport {
   std::vector<Match> matches;
@@ -120,6 +132,7 @@ struct FrameReport {
   int predicted = 0;      ///< landmarks searched for in the images, and detections of the other sensors
   int matched = 0;        ///< matches that updated the filter
   int image_matches = 0;  ///< matches in images that updated the filter
+  std::optional<AdjustedKeyframes> adjusted;
   UpdateReport update;
   bool refused = false;             ///< an update or a fix was not usable within rounding
   bool association_capped = false;  ///< the joint search reached its node limit

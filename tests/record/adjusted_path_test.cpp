@@ -57,6 +57,17 @@ TEST(AdjustedPath, SpreadsTheCorrectionOfAKeyframeOverTheFramesBeforeIt) {
   expect_same(adjusted[6], pose(7, 7.1, 0.1));  // no keyframe after it yet
 }
 
+/// It stands for 2 s and moves then, with a scale that the keyframe corrects.
+TEST(AdjustedPath, DoesNotMoveACameraThatStood) {
+  AdjustedPath path;
+  for (const StampedPose& p : {pose(0, 0), pose(1, 0), pose(2, 0), pose(3, 1)}) path.add(frame(p));
+  path.add(keyframe(pose(4, 3), pose(4, 2), {pose(0, 0)}));
+  const Trajectory adjusted = path.trajectory();
+  ASSERT_EQ(adjusted.size(), 5u);
+  expect_same(adjusted[2], pose(2, 0));
+  expect_same(adjusted[3], pose(3, 1.5));
+}
+
 TEST(AdjustedPath, TakesAKeyframeAsItWasAdjustedLast) {
   AdjustedPath path;
   path.add(frame(pose(0, 0)));

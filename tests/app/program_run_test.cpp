@@ -196,6 +196,16 @@ TEST(ProgramRun, ManyInterruptsLeaveEveryFigure) {
   EXPECT_TRUE(testing::summary_of(run).value("warnings", nlohmann::json::array()).empty());
 }
 
+TEST(ProgramRun, WithoutEntropiesWritesEverythingElse) {
+  const Scratch scratch;
+  const auto run = scratch.folder() / "run";
+  const Words words = {"run", "room", "--duration", "0.5", "--out", "run", "--set", "run.entropy=false"};
+  EXPECT_EQ(testing::incognita(words, scratch.folder()).code, 0);
+  EXPECT_TRUE(testing::summary_of(run).at("entropy").at("total").is_null());
+  EXPECT_TRUE(exists(run / "figures/errors.svg"));
+  EXPECT_FALSE(exists(run / "figures/entropy.svg"));
+}
+
 TEST(ProgramRun, ALensCoveredFromTheStartIsReported) {
   const Scratch scratch;
   const Words covered = {"--set", "room.cover_lens_from_s=0", "--set", "start.max_search_s=1"};

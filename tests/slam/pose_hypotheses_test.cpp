@@ -55,6 +55,25 @@ TEST(PoseHypotheses, FindsThePoseAmongHalfFalseMatches) {
   }
 }
 
+/// One match in ten is right. The right ones are among the more alike half, and half of the distinctive ones are right.
+TEST(PoseHypotheses, FindsThePoseByAlikeAndDistinctiveMatches) {
+  int found = 0;
+  constexpr int seeds = 20;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    Scene scene(seed, 100);
+    for (int i = 0; i < 100; ++i) {
+      PointMatch& match = scene.matches[static_cast<std::size_t>(i)];
+      const bool is_right = i < 50 && i % 5 == 0;
+      match.is_distinctive = i < 50 && (i % 10 == 0 || i % 10 == 3);
+      if (!is_right) match.pixel = {scene.random.uniform(10, 310), scene.random.uniform(10, 230)};
+    }
+    RandomStream random(seed, "ransac");
+    const auto poses = find_poses(scene.matches, camera, {}, 0.5, random);
+    found += !poses.empty() && (poses[0].camera - scene.truth).head<3>().norm() < 0.05;
+  }
+  EXPECT_GE(found, 15);
+}
+
 TEST(PoseHypotheses, ExplainsFewOfRandomMatches) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Scene scene(seed, 30);

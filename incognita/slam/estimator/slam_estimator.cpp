@@ -266,8 +266,10 @@ void SlamEstimator::match_images(Estimate& e, StageClock& stage) {
   stage.mark("relocalize");
 }
 
-/// Discards the matches of bodies of whose features a small share was found: these may be false.
+/// Discards the matches of bodies of whose features a small share was found: these may be false. One frame may match few, for
+/// example after a jolt; in the next ones right matches become more than chance gives, and false ones do not.
 void SlamEstimator::discard_few_matches() {
+  constexpr double more_after_few = 1.6;  // times the least share
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     int searched = 0, matched = 0;
     for (const FeatureTracker& camera : cameras_) {
@@ -275,7 +277,11 @@ void SlamEstimator::discard_few_matches() {
       searched += camera.camera().predicted;
       matched += camera.matched();
     }
-    if (bodies_[i].was_lost || matched >= settings_.health.min_matched_share * searched) continue;
+    if (bodies_[i].was_lost) bodies_[i].matched_few = false;
+    if (bodies_[i].was_lost || searched == 0) continue;
+    const double least = settings_.health.min_matched_share * searched;
+    const bool had_few = std::exchange(bodies_[i].matched_few, matched < more_after_few * least);
+    if (matched >= (had_few ? more_after_few : 1) * least) continue;
     for (FeatureTracker& camera : cameras_)
       if (camera.camera().body == i) camera.discard_matches();
   }

@@ -72,7 +72,8 @@ class SlamEstimator final : public Estimator {
   struct TrackedBody {
     int frames = 0;  ///< of its cameras: 1 with an image, else those that all of them have missed since
     int missed = 0;  ///< since their last image
-    bool was_lost = false;  ///< before this tick, of a body with cameras
+    bool was_lost = false;     ///< before this tick, of a body with cameras
+    bool matched_few = false;  ///< a small share of its features, when they were searched last
   };
 
   EstimatorSettings settings_;

@@ -231,6 +231,11 @@ void FeatureTracker::take_matches(PoseEvidence evidence, const Estimate& estimat
     match.innovation_cov = S;
   }
   add_plane_uncertainty();
+  const double more_var = std::max(0.0, least_sigma_px * least_sigma_px - camera_.pixel_var());
+  for (FeatureMatch& match : camera_.matches) {
+    match.plane_cov.diagonal().array() += more_var;
+    match.innovation_cov.diagonal().array() += more_var;
+  }
   reject_outliers(estimate);
 }
 

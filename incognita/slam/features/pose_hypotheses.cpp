@@ -111,14 +111,20 @@ std::vector<CameraState> solve_p3p(const std::array<const PointMatch*, 3>& sampl
   return poses;
 }
 
-/// Draws three compatible matches; nothing when a draw fails.
+/// One of them, the earlier ones more often: they are more alike (as in PROSAC: O. Chum, J. Matas, CVPR 2005).
+int draw_early(const std::vector<int>& from, RandomStream& random) {
+  const double u = random.uniform(0, 1);
+  const auto count = static_cast<double>(from.size());
+  return from[std::min(static_cast<std::size_t>(u * u * count), from.size() - 1)];
+}
+
+/// Draws three compatible matches, of them one of `first`; nothing when a draw fails.
 std::optional<std::array<int, 3>> draw(const std::vector<std::vector<int>>& compatible,
                                        const std::vector<int>& first, const std::vector<PointMatch>& matches,
                                        const PoseLimits& limits, RandomStream& random) {
-  const int i = first[static_cast<std::size_t>(random.below(static_cast<int>(first.size())))];
+  const int i = draw_early(first, random);
   const std::vector<int>& others = compatible[static_cast<std::size_t>(i)];
-  const int j = others[static_cast<std::size_t>(random.below(static_cast<int>(others.size())))];
-  const int k = others[static_cast<std::size_t>(random.below(static_cast<int>(others.size())))];
+  const int j = draw_early(others, random), k = draw_early(others, random);
   const PointMatch &b = matches[static_cast<std::size_t>(j)], &c = matches[static_cast<std::size_t>(k)];
   if (!are_compatible(b, c, limits)) return std::nullopt;
   return std::array<int, 3>{i, j, k};
@@ -161,7 +167,7 @@ std::vector<PoseHypothesis> find_poses(const std::vector<PointMatch>& matches, c
                                        RandomStream& random) {
   const int n = static_cast<int>(matches.size());
   std::vector<std::vector<int>> compatible(matches.size());
-  std::vector<int> first;
+  std::vector<int> first, distinctive;  // matches to draw the first of three from
   std::vector<Eigen::Vector3d> rays;
   for (const PointMatch& match : matches) {
     const auto ray = camera.unproject(match.pixel);
@@ -173,12 +179,14 @@ std::vector<PoseHypothesis> find_poses(const std::vector<PointMatch>& matches, c
       if (!rays[static_cast<std::size_t>(j)].isZero(0) &&
           are_compatible(matches[static_cast<std::size_t>(i)], matches[static_cast<std::size_t>(j)], limits))
         compatible[static_cast<std::size_t>(i)].push_back(j);
-    if (static_cast<int>(compatible[static_cast<std::size_t>(i)].size()) >= limits.min_matches - 1)
-      first.push_back(i);
+    if (static_cast<int>(compatible[static_cast<std::size_t>(i)].size()) < limits.min_matches - 1) continue;
+    first.push_back(i);
+    if (matches[static_cast<std::size_t>(i)].is_distinctive) distinctive.push_back(i);
   }
   std::vector<Scored> scored;
   for (int s = 0; !first.empty() && s < limits.samples; ++s) {
-    const auto drawn = draw(compatible, first, matches, limits, random);
+    const bool from_distinctive = s % 2 == 0 && !distinctive.empty();
+    const auto drawn = draw(compatible, from_distinctive ? distinctive : first, matches, limits, random);
     if (!drawn) continue;
     const auto [i, j, k] = *drawn;
     const auto at = [&](int which) { return static_cast<std::size_t>(which); };

@@ -16,7 +16,6 @@ namespace {
 
 constexpr double same_corner_px = 3;
 constexpr double max_sigma_px = 15;   // of a search: in a larger ellipse something always matches
-constexpr double least_sigma_px = 1;  // of a match: planes of patches are not known well in a new view
 constexpr double consistent_share = 0.999;
 constexpr double max_sigma_ratio = 0.15;  // of the position, over the distance to the matches
 

@@ -10,6 +10,9 @@
 
 namespace incognita {
 
+/// Of a match in a new view, at least: the plane of its patch is not known well there.
+constexpr double least_sigma_px = 1;
+
 /// The result of the search from one pose.
 struct PoseEvidence {
   CameraState camera;                 ///< at rest, by the matches

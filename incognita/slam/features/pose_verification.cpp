@@ -15,7 +15,7 @@ namespace incognita {
 namespace {
 
 constexpr double same_corner_px = 3;
-constexpr double max_sigma_px = 15;   // of a search: in a larger ellipse something always matches
+constexpr double max_sigma_px = 15;  // of a search: in a larger ellipse something always matches
 constexpr double consistent_share = 0.999;
 constexpr double max_sigma_ratio = 0.15;  // of the position, over the distance to the matches
 

@@ -126,9 +126,29 @@ TEST(SingleCamera, AMovingShadowIsNoTurn) {
     tracking.update(estimate, {}, seeing(image), tick(0, 0, k));
     EXPECT_EQ(estimate.status.state, TrackingState::tracking)
         << "frame " << k << ": " << estimate.status.reason;
-    if (k > 0) EXPECT_GT(estimate.last.matched, 10) << "frame " << k;
+    if (k > 0) {
+      EXPECT_GT(estimate.last.matched, 10) << "frame " << k;
+    }
   }
   EXPECT_LT(estimate.camera_state().head<3>().norm(), 0.05);
+}
+
+/// A fifth of the view stays what it was, as after a displacement to a place that looks alike by chance.
+TEST(SingleCamera, FewFeaturesCorrectOneFrameAndNotTheNext) {
+  const auto scene = blocks(1), elsewhere = blocks(2);
+  auto mixed = std::make_shared<Image>(*elsewhere);
+  for (int v = 0; v < mixed->height(); ++v) std::copy_n(scene->row(v), mixed->width() / 5, mixed->row(v));
+  SlamEstimator tracking = estimator(CameraSlamSettings{});
+  Estimate estimate;
+  for (int k = 0; k < 20; ++k) tracking.update(estimate, {}, seeing(scene), tick(0, 0, k));
+  tracking.update(estimate, {}, seeing(mixed), tick(0, 0, 20));
+  const double share = estimate.last.matched / static_cast<double>(estimate.last.predicted);
+  EXPECT_GT(share, HealthSettings{}.min_matched_share);
+  EXPECT_LT(share, 1.6 * HealthSettings{}.min_matched_share);
+  tracking.update(estimate, {}, seeing(mixed), tick(0, 0, 21));
+  EXPECT_EQ(estimate.last.matched, 0);
+  tracking.update(estimate, {}, seeing(scene), tick(0, 0, 22));
+  EXPECT_GT(estimate.last.matched, 10) << "the features are still known";
 }
 
 /// An image may go when the tick is over: nothing of it is looked at in the next.

@@ -68,6 +68,22 @@ TEST(AdjustedPath, DoesNotMoveACameraThatStood) {
   expect_same(adjusted[3], pose(3, 1.5));
 }
 
+/// The heading is corrected by 0.2 rad while the camera pitches: the axis of the correction stays that of the world.
+TEST(AdjustedPath, CorrectsTheHeadingAboutTheVerticalOfTheWorld) {
+  const auto pitched = [](double t, double heading_rad) {
+    const Eigen::Vector4d heading = quaternion_exp<double>(Eigen::Vector3d(0, 0, heading_rad)),
+                          pitch = quaternion_exp<double>(Eigen::Vector3d(0, t * t, 0));
+    return StampedPose{t, {t, 0, 0}, quaternion_product(heading, pitch)};
+  };
+  AdjustedPath path;
+  path.add(frame(pitched(0, 0)));
+  path.add(frame(pitched(0.8, 0)));
+  path.add(keyframe(pitched(1, 0.2), pitched(1, 0), {pitched(0, 0.2)}));
+  const Trajectory adjusted = path.trajectory();
+  ASSERT_EQ(adjusted.size(), 3u);
+  for (const StampedPose& p : adjusted) expect_same(p, pitched(p.t, 0.2));
+}
+
 TEST(AdjustedPath, TakesAKeyframeAsItWasAdjustedLast) {
   AdjustedPath path;
   path.add(frame(pose(0, 0)));

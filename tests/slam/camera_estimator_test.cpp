@@ -151,6 +151,15 @@ TEST(SingleCamera, FewFeaturesCorrectOneFrameAndNotTheNext) {
   EXPECT_GT(estimate.last.matched, 10) << "the features are still known";
 }
 
+TEST(SingleCamera, TracksEvenIfMostFeaturesMustMatch) {
+  CameraSlamSettings settings;
+  settings.health.min_matched_share = 0.8;
+  SlamEstimator tracking = estimator(settings);
+  Estimate estimate;
+  for (int k = 0; k < 20; ++k) tracking.update(estimate, {}, seeing(blocks(1)), tick(0, 0, k));
+  EXPECT_EQ(estimate.status.state, TrackingState::tracking) << estimate.status.reason;
+}
+
 /// An image may go when the tick is over: nothing of it is looked at in the next.
 TEST(SingleCamera, KeepsNoImageAndSearchesNothingWithoutOne) {
   CameraSlamSettings settings = synthetic::few_features();

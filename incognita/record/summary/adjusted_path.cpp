@@ -6,19 +6,19 @@
 namespace incognita {
 namespace {
 
-/// Of the position (world, m), and rotation vector in body axes.
+/// Of the position, m, and rotation vector, both in world axes.
 struct Correction {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(), rotation = Eigen::Vector3d::Zero();
 };
 
 Correction correction(const StampedPose& from, const StampedPose& to) {
   return {to.position - from.position,
-          quaternion_log(quaternion_product(quaternion_conjugate(from.orientation), to.orientation))};
+          quaternion_log(quaternion_product(to.orientation, quaternion_conjugate(from.orientation)))};
 }
 
 StampedPose corrected(StampedPose pose, const Correction& c) {
   pose.position += c.position;
-  pose.orientation = quaternion_product(pose.orientation, quaternion_exp(c.rotation));
+  pose.orientation = quaternion_product(quaternion_exp(c.rotation), pose.orientation);
   return pose;
 }
 

@@ -76,7 +76,10 @@ void SlamEstimator::update(Estimate& e, const Command& command, const Observatio
   if (!e.first_t) e.first_t = tick.t;
   count_frames(tick);
   const bool starts = !e.started;
-  if (starts) start_.start(e, cameras_, settings_, observation, tick);
+  if (starts) {
+    start_.start(e, cameras_, settings_, observation, tick);
+    for (TrackedBody& body : bodies_) body.matched_few = false;
+  }
   stage.mark("start");
   if (!e.started) return;
   const bool tracks = !cameras_.empty() && !starts;
@@ -269,7 +272,7 @@ void SlamEstimator::match_images(Estimate& e, StageClock& stage) {
 /// Discards the matches of bodies of whose features a small share was found: these may be false. One frame may match few, for
 /// example after a jolt; in the next ones right matches become more than chance gives, and false ones do not.
 void SlamEstimator::discard_few_matches() {
-  constexpr double more_after_few = 1.6;  // times the least share
+  constexpr double more_after_few = 1.6;  // times the least share; of a large one half of the rest more
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     int searched = 0, matched = 0;
     for (const FeatureTracker& camera : cameras_) {
@@ -280,8 +283,9 @@ void SlamEstimator::discard_few_matches() {
     if (bodies_[i].was_lost) bodies_[i].matched_few = false;
     if (bodies_[i].was_lost || searched == 0) continue;
     const double least = settings_.health.min_matched_share * searched;
-    const bool had_few = std::exchange(bodies_[i].matched_few, matched < more_after_few * least);
-    if (matched >= (had_few ? more_after_few : 1) * least) continue;
+    const double enough = std::min(more_after_few * least, (least + searched) / 2);
+    const bool had_few = std::exchange(bodies_[i].matched_few, matched < enough);
+    if (matched >= (had_few ? enough : least)) continue;
     for (FeatureTracker& camera : cameras_)
       if (camera.camera().body == i) camera.discard_matches();
   }

@@ -45,7 +45,8 @@ struct PoseHypothesis {
   double cost = 0;           ///< sum of their squared normalized errors
 };
 
-/// The poses that explain the most matches, that with the most first; none when all explain fewer than `min_matches`.
+/// The poses that explain the most of `matches`, which are in the order of likeness, the most alike first: samples are drawn from
+/// the first ones more often. The pose with the most comes first; none when all explain fewer than `min_matches`.
 /// Poses that share most of their matches with a better one are left out. Deterministic for a state of `random`.
 std::vector<PoseHypothesis> find_poses(const std::vector<PointMatch>& matches, const Camera& camera,
                                        const PoseLimits& limits, double sigma_pixel_px, RandomStream& random);

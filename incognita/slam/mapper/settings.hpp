@@ -174,7 +174,7 @@ struct HealthSettings {
   double max_sigma_ratio = 0.5;
   int min_matches = 3;  ///< of a body with cameras, in a frame; with fewer it is degraded
   /// Of the features searched in a frame; with a smaller one the matches are taken as false, since in large search areas a few
-  /// false ones agree by chance. 1.6 times as much after a frame with less than that.
+  /// false ones agree by chance. After a frame below 1.6 times this share, 1.6 times as much is needed.
   double min_matched_share = 0.25;
   /// Consecutive frames with too few matches; or ticks with detections but no match, while `min_expected`
   /// landmarks are predicted in view; or ticks with innovations above `max_innovation_sigmas`: lost.
@@ -207,8 +207,8 @@ struct HealthSettings {
         "Matches of a body with cameras, those of its other sensors included, below which a frame counts towards `lost`");
     setting(
         &S::min_matched_share, "min_matched_share", "", between(0, 1),
-        "Share of the features searched in a frame below which its matches are taken as false; 1.6 times as much after "
-        "a frame with less than that");
+        "Share of the features searched in a frame below which its matches are taken as false; after a frame below "
+        "1.6 times this share, that much is needed");
     setting(&S::min_matches_to_relocate, "min_matches_to_relocate", "", between(3, 10000),
             "Number of matches in one image that end the state `lost`");
     setting(

@@ -300,6 +300,14 @@ double Keyframes::moved_px(const Estimate& estimate, const CameraState& from, co
   return distances.empty() ? 0 : median(distances);
 }
 
+int Keyframes::returning_count(const std::vector<KeyframeMatch>& matches) const {
+  const int first_in_window = last() + 1 - window_;
+  return static_cast<int>(std::ranges::count_if(matches, [&](const KeyframeMatch& match) {
+    const auto track = tracks_.find(match.id);
+    return track != tracks_.end() && track->second.seen.back().view < first_in_window;
+  }));
+}
+
 std::optional<Eigen::Vector3d> Keyframes::point_in_first_view(std::int64_t id) const {
   const auto track = tracks_.find(id);
   if (track == tracks_.end() || !track->second.point || track->second.point->host != views_.begin()->first)

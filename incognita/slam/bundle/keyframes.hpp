@@ -62,6 +62,8 @@ class Keyframes {
   /// How far the belief moved points since the last adjustment, as seen from the camera: median, px. Large after the filter
   /// closed a loop; 0 without points in view.
   double moved_px(const Estimate& estimate, const CameraState& from, const Camera& camera) const;
+  /// Of these matches, those of landmarks that were last matched before the window of the last adjustment: they close a loop.
+  int returning_count(const std::vector<KeyframeMatch>& matches) const;
 
   /// The last keyframe, the one before it, which must exist, and the first that is kept.
   const BundleView& last_view() const { return views_.rbegin()->second; }

@@ -23,8 +23,10 @@
 namespace incognita {
 namespace {
 
-/// Of the points, by the filter since the last adjustment: it closed a loop, and what the keyframes know is of before.
+/// Of the points, by the filter since the last adjustment. If landmarks return, it closed a loop, and what the keyframes know is
+/// of before. Otherwise the filter drifted along directions that are not observable, and the keyframes are right.
 constexpr double most_moved_px = 10;
+constexpr int least_returning = 5;
 
 void check_size(const Image& image, const Camera& camera) {
   if (image.width() != camera.width() || image.height() != camera.height())
@@ -288,7 +290,7 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
                          match_var(match, camera_) * Eigen::Matrix2d::Identity() + match.plane_cov});
   const KeyframePolicy policy{settings.min_frames, settings.min_motion_share * camera_.camera.width(),
                               settings.min_matched_share};
-  if (!keyframes_.is_starting() &&
+  if (!keyframes_.is_starting() && keyframes_.returning_count(matches) >= least_returning &&
       keyframes_.moved_px(estimate, camera_.view.camera, camera_.camera) > most_moved_px) {
     keyframes_.start(camera_.view.camera, pose_cov(estimate), estimate.bodies[camera_.body].t);
     keyframes_.add_matches(estimate, camera_.view.body, matches);

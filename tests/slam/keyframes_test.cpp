@@ -230,6 +230,26 @@ TEST(Keyframes, SayHowFarTheFilterMovedTheirPoints) {
   EXPECT_LT(moved, 195 * 0.1 / 1.4);
 }
 
+TEST(Keyframes, CountLandmarksThatReturnFromBeforeTheWindow) {
+  constexpr int window = 3, kept = 20;
+  Scene scene(0.02);
+  scene.run(2, window, 0.01);
+  EXPECT_EQ(scene.keyframes.returning_count(scene.matches(3)), 0);
+  for (int k = 3; k <= 5; ++k) {
+    // The other landmarks were last matched in keyframe 2, which leaves the window with keyframe 5
+    EXPECT_EQ(scene.keyframes.returning_count(scene.matches(k)), 0) << k;
+    std::vector<KeyframeMatch> matches = scene.matches(k);
+    matches.resize(kept);
+    scene.t.move_to(pose_at(k));
+    scene.keyframes.add(scene.t.estimate, scene.t.camera_block(), matches, k * keyframe_s);
+    scene.keyframes.adjust(scene.t.estimate, scene.t.camera_block(), camera, {}, {0.5, 0.5}, window);
+  }
+  EXPECT_EQ(scene.keyframes.returning_count(scene.matches(6)), Scene::points - kept);
+  std::vector<KeyframeMatch> unknown = scene.matches(6);
+  for (KeyframeMatch& match : unknown) match.id += Scene::points;
+  EXPECT_EQ(scene.keyframes.returning_count(unknown), 0) << "new landmarks do not return";
+}
+
 TEST(Keyframes, AreDueAfterMotionOrLostMatches) {
   Scene scene(0);
   const KeyframePolicy policy{.min_frames = 2, .min_motion_px = 5, .min_matched_share = 0.8};

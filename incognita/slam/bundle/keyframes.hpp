@@ -60,9 +60,10 @@ class Keyframes {
   bool start_again(const Camera& camera, const AdjustmentSettings& settings);
 
   /// How far the belief moved points since the last adjustment, as seen from the camera: median, px. Large after the filter
-  /// closed a loop; 0 without points in view.
+  /// closed a loop, or drifted along directions that the images do not observe; 0 without points in view.
   double moved_px(const Estimate& estimate, const CameraState& from, const Camera& camera) const;
-  /// Of these matches, those of landmarks that were last matched before the window of the last adjustment: they close a loop.
+  /// Number of these matches whose landmarks were last matched in a keyframe before the window of the last adjustment: only they
+  /// can close a loop.
   int returning_count(const std::vector<KeyframeMatch>& matches) const;
 
   /// The last keyframe, the one before it, which must exist, and the first that is kept.

@@ -1,5 +1,6 @@
 #include "incognita/decision/image_expectation.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "incognita/slam/features/automatic_settings.hpp"
@@ -11,7 +12,8 @@ ImageExpectation::ImageExpectation(Camera camera, const CameraSlamSettings& slam
                                    CameraOfBody carried)
     : camera_(std::move(camera)),
       slam_(with_automatic(slam, camera_)),
-      R_(slam.filter.sigma_pixel_px * slam.filter.sigma_pixel_px * Eigen::Matrix2d::Identity()),
+      R_((std::pow(slam.filter.sigma_pixel_px, 2) + std::pow(slam.filter.sigma_lasting_px, 2)) *
+         Eigen::Matrix2d::Identity()),
       as_mapped_(as_mapped),
       carried_(std::move(carried)) {}
 

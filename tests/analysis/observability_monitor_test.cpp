@@ -47,6 +47,43 @@ TEST(ObservabilityMonitor, ReplacementMayKeepTheSize) {
   both.compare("with noise along one direction");
 }
 
+/// The information is that of measurements with more noise, whatever moves the block.
+TEST(ObservabilityMonitor, TakesABlockAsNoise) {
+  constexpr BlockId body = 0, error = 1, point = 2;
+  ObservabilityMonitor with(body, 3), plain(body, 3);
+  const Eigen::Matrix2d cov = (Eigen::Matrix2d() << 0.3, 0.1, 0.1, 0.2).finished();
+  with.treat_as_noise(error, cov);
+  RandomStream random(5, "noise");
+  const auto matrix = [&](int rows, int columns) {
+    MatrixXd A(rows, columns);
+    for (double& a : A.reshaped()) a = random.normal();
+    return A;
+  };
+  for (int i = 0; i < 8; ++i) {
+    const MatrixXd Hv = matrix(2, 3), He = matrix(2, 2), Hl = matrix(2, 3);
+    LinearizedMeasurement measurement, noisier;
+    measurement.add(body, Hv);
+    measurement.add(error, He);
+    measurement.add(point, Hl);
+    noisier.add(body, Hv);
+    noisier.add(point, Hl);
+    measurement.residual = noisier.residual = Eigen::Vector2d::Zero();
+    measurement.R = 0.1 * Eigen::Matrix2d::Identity();
+    noisier.R = measurement.R + He * cov * He.transpose();
+    with.add_measurement(measurement);
+    plain.add_measurement(noisier);
+    const LinearizedMotion motion{body, Eigen::Vector3d::Zero(), matrix(3, 3),
+                                  0.01 * Eigen::Matrix3d::Identity()};
+    with.move(motion);
+    plain.move(motion);
+    with.move({error, Eigen::Vector2d::Zero(), 0.5 * Eigen::Matrix2d::Identity(), cov});
+  }
+  EXPECT_FALSE(with.uncovered());
+  const MatrixXd Y = with.information(), expected = plain.information();
+  ASSERT_EQ(Y.rows(), 6);
+  EXPECT_LT((Y - expected).norm(), 1e-10 * expected.norm());
+}
+
 // The replaced block has no information left, and the other blocks keep what it constrained
 TEST(ObservabilityMonitor, ReplacementByPureNoiseIsANewBlock) {
   MonitorAndReference both(12, 4);

@@ -103,6 +103,18 @@ TEST(ActiveSearch, FindsThePatchInsideItsEllipseAndNowhereElse) {
   }
 }
 
+/// Nearer than a pixel to its prediction: the smallest ellipse holds the nearest pixel.
+TEST(ActiveSearch, OfACertainPredictionTriesTheNearestPixel) {
+  for (const double off_px : {0.0, 0.3, 0.5}) {
+    Scene scene(1e-5);
+    scene.tracked.settings.filter.sigma_pixel_px = 0.01;
+    scene.add(30, 0.01, {off_px, off_px});
+    scene.search();
+    ASSERT_EQ(scene.outcome(0), MatchOutcome::matched) << off_px;
+    EXPECT_LT((*scene.match_of(0).measured - scene.truth(30)).norm(), 0.3);
+  }
+}
+
 /// The best place of another scene: it is inside the ellipse, whatever it is like.
 TEST(ActiveSearch, StaysInTheEllipseOfAnotherScene) {
   Scene scene(0.03);

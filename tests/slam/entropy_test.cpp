@@ -51,6 +51,64 @@ TEST(Entropies, AreThoseOfTheDenseCovariance) {
   EXPECT_LT(entropy.total, entropy.vehicle + entropy.map) << "what they share is counted once";
 }
 
+/// Lasting errors of matches are part of the state, but the entropies are of poses and map.
+TEST(Entropies, AreNotOfLastingErrors) {
+  RandomStream random(2, "lasting");
+  Estimate estimate;
+  FreeCameraMotion::State<double> x = FreeCameraMotion::State<double>::Zero();
+  x[3] = 1;
+  const BlockId camera = estimate.bodies.emplace_back().block =
+      estimate.belief.add_vehicle(FreeCameraMotion::chart, x, 0.01 * Eigen::MatrixXd::Identity(12, 12));
+  for (int i = 0; i < 3; ++i)
+    estimate.lasting_errors.push_back(estimate.belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(),
+                                                                  0.1 * Eigen::Matrix2d::Identity()));
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < 12 + 6 + 4 * 3; ++i)
+    if (i < 12 || i >= 18) kept.push_back(i);
+  for (int i = 0; i < 4; ++i) {
+    const Belief::Parent parents[] = {
+        {camera, BlockMatrix(random_matrix(3, 12, random))},
+        {estimate.lasting_errors[static_cast<std::size_t>(i) % 3], BlockMatrix(random_matrix(3, 2, random))}};
+    estimate.belief.augment(Chart::line(3), Eigen::Vector3d(i, 1, 2), parents,
+                            0.02 * Eigen::Matrix3d::Identity());
+  }
+  const Eigen::MatrixXd P = estimate.belief.dense_covariance()(kept, kept);
+  const Entropy entropy = entropies(estimate);
+  EXPECT_NEAR(entropy.vehicle, dense_entropy(P.topLeftCorner(12, 12)), 1e-8);
+  EXPECT_NEAR(entropy.map, dense_entropy(P.bottomRightCorner(12, 12)), 1e-8);
+  EXPECT_NEAR(entropy.total, dense_entropy(P), 1e-8);
+}
+
+/// The same of a state whose entropies take many frames.
+TEST(RunningEntropy, IsNotOfLastingErrors) {
+  const auto estimate_with = [](bool lasting) {
+    Estimate estimate;
+    FreeCameraMotion::State<double> x = FreeCameraMotion::State<double>::Zero();
+    x[3] = 1;
+    const BlockId camera = estimate.bodies.emplace_back().block =
+        estimate.belief.add_vehicle(FreeCameraMotion::chart, x, 0.01 * Eigen::MatrixXd::Identity(12, 12));
+    for (int i = 0; lasting && i < 20; ++i)
+      estimate.lasting_errors.push_back(estimate.belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(),
+                                                                    0.1 * Eigen::Matrix2d::Identity()));
+    RandomStream random(3, "map");
+    for (int i = 0; i < 150; ++i) {
+      const Belief::Parent parent{camera, BlockMatrix(random_matrix(3, 12, random))};
+      estimate.belief.augment(Chart::line(3), Eigen::Vector3d(i, 1, 2), {&parent, 1},
+                              Eigen::Matrix3d::Identity());
+    }
+    RunningEntropy running;
+    for (int frame = 0; frame < 100 && !(estimate.entropy_t && *estimate.entropy_t == 5); ++frame)
+      running.update(estimate, 5 + frame / 200.);
+    return estimate;
+  };
+  const Estimate without = estimate_with(false), with = estimate_with(true);
+  ASSERT_GT(without.belief.errors(), RunningEntropy::max_errors_at_once);
+  ASSERT_TRUE(without.entropy_t && with.entropy_t);
+  EXPECT_NEAR(with.entropy.map, without.entropy.map, 1e-8);
+  EXPECT_NEAR(with.entropy.total, without.entropy.total, 1e-8);
+  EXPECT_NEAR(with.entropy.total, entropies(without).total, 1e-8);
+}
+
 TEST(Entropies, WithoutAMapAllIsTheCamera) {
   const Entropy entropy = entropies(camera_and_points(0));
   EXPECT_EQ(entropy.map, 0);

@@ -184,6 +184,7 @@ void ObservabilityMonitor::move(const LinearizedMotion& motion) {
   constexpr double well = 1e-6;  // relative to the largest pivot, equilibrated
   // Limits of |det| of a product; beyond them it is applied before composing
   constexpr double near_one = 1e-3;
+  if (noises_.contains(motion.block)) return;
   const Block* block = find(motion.block);
   if (!block || !is_vehicle(*block)) {
     uncovered_ = Uncovered::other_block;
@@ -270,11 +271,16 @@ void ObservabilityMonitor::forget(const MatrixXd& directions) {
 void ObservabilityMonitor::add_measurement(const LinearizedMeasurement& measurement) {
   apply_motion();
   std::vector<Part> parts;
+  MeasurementMatrix R = measurement.R;
   for (int i = 0; i < measurement.part_count; ++i) {
     const MeasurementJacobian& H = measurement.parts[i].H;
+    if (const auto noise = noises_.find(measurement.parts[i].block); noise != noises_.end()) {
+      R += H * noise->second * H.transpose();
+      continue;
+    }
     parts.push_back({0, find_or_add(measurement.parts[i].block, static_cast<int>(H.cols())).first, H});
   }
-  add_rows(parts, measurement.R);
+  add_rows(parts, R);
 }
 
 void ObservabilityMonitor::augment(const BlockAugmentation& initialization) {

@@ -57,6 +57,10 @@ class ObservabilityMonitor {
   ObservabilityMonitor(BlockId vehicle, int errors, Motions motions = Motions::followed)
       : ObservabilityMonitor(std::vector<Vehicle>{{vehicle, errors}}, motions) {}
 
+  /// Takes a block as noise of the measurements that depend on it, independent in each, of this covariance: errors of matches
+  /// that last. The information is then more than that of the filter, but about the same directions.
+  void treat_as_noise(BlockId block, const BlockMatrix& covariance) { noises_[block] = covariance; }
+
   /// Processes all recorded operations in order; stops after one that is not covered.
   void follow(const BeliefTrace& trace);
   const std::optional<Uncovered>& uncovered() const { return uncovered_; }
@@ -123,6 +127,7 @@ class ObservabilityMonitor {
   Eigen::MatrixXd V_;                                  ///< errors of the vehicles x errors
   RowSum L_;                                           ///< landmark errors x landmark errors
   Eigen::VectorXd added_;                              ///< total ever added to the diagonal of L
+  std::unordered_map<BlockId, BlockMatrix> noises_;    ///< treat_as_noise()
   std::vector<Part> pending_;                          ///< measurements not absorbed yet
   int row_count_ = 0;                                  ///< their rows
   /// A motion of one vehicle that is still to be applied.

@@ -98,6 +98,10 @@ void ObservabilityWatch::follow_camera(const Estimate& estimate) {
   if (!monitor_) {
     monitor_.emplace(vehicles_of(estimate));
     measurement_monitor_.emplace(vehicles_of(estimate), ObservabilityMonitor::Motions::uninformative);
+    for (const BlockId block : estimate.lasting_errors) {
+      monitor_->treat_as_noise(block, estimate.belief.covariance(block));
+      measurement_monitor_->treat_as_noise(block, estimate.belief.covariance(block));
+    }
   }
   if (is_initialized(estimate.belief.trace())) {
     const double length = typical_distance(spatial_scene_of(estimate, nullptr));

@@ -42,16 +42,6 @@ void check_sizes(const Scenario& s, List& found) {
                                  initialization.min_depth_m)});
 }
 
-/// The search tests whole pixels only, and the smallest search ellipse is that of the pixel noise alone.
-void check_search(const Scenario& s, List& found) {
-  constexpr double least_px = 0.75;  // slightly more than half a pixel diagonal
-  if (s.slam.search.gate_sigmas * s.slam.filter.sigma_pixel_px >= least_px) return;
-  found.push_back(
-      {"sensor.sigma_pixel_px",
-       fmt::format("must be at least {:.3g} with search.gate_sigmas = {:g}: smaller ellipses hold no pixel",
-                   least_px / s.slam.search.gate_sigmas, s.slam.search.gate_sigmas)});
-}
-
 void check_room(const Scenario& s, List& found) {
   const auto* trajectory = std::get_if<TrajectoryMotion>(&s.true_motion.type);
   if (s.has_recorded_motion() && trajectory->file.empty())
@@ -92,7 +82,6 @@ void check_association(const Scenario& s, List& found) {
 void check_images(const Scenario& s, List& found) {
   check_camera(s, found);
   check_sizes(s, found);
-  check_search(s, found);
   if (s.world.type == WorldSettings::Type::room) check_room(s, found);
   if (s.is_room_vehicle()) check_room_vehicle(s, found);
   if (!s.is_room_vehicle() || s.decides()) check_decision(s, found);

@@ -33,6 +33,7 @@ void clear(Estimate& e, const EstimatorSettings& settings) {
   e.belief.keep_trace(traced);
   e.bodies.clear();
   e.landmarks.clear();
+  e.lasting_errors.clear();
   e.world.reset();
   e.health = {};
   add_anchors(e, settings.anchors);
@@ -98,6 +99,7 @@ void EstimatorStart::start(Estimate& e, std::vector<FeatureTracker>& cameras,
   clear(e, settings);
   if (!cameras.empty() && mixes_identities(settings)) e.next_id = first_feature_number;
   add_bodies(e, cameras, settings, observation, tick);
+  for (FeatureTracker& camera : cameras) camera.start_lasting_errors(e);
   e.started = true;
   e.status.state = TrackingState::tracking;
   if (cameras.empty()) e.status.reason.clear();
@@ -119,7 +121,7 @@ void EstimatorStart::add_bodies(Estimate& e, const std::vector<FeatureTracker>& 
       if (cameras[k].camera().body != i || !starts_[k].pose) continue;
       at.head<3>() = starts_[k].pose->position;
       at.segment<4>(3) = starts_[k].pose->world_from_camera;
-      P.topLeftCorner<6, 6>() = starts_[k].pose->covariance;
+      P.topLeftCorner<6, 6>() = cameras[k].start_cov(*starts_[k].pose);
     }
     add_body(e, model, at, P, start_time(model, body_of(observation, i), first_fixes_[i], tick.t),
              settings.filter.map_frame == MapFrame::vehicle);

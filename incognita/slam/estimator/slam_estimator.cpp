@@ -33,6 +33,10 @@ std::string problem_of_camera(const FeatureTracker& camera, const EstimatorSetti
     return "estimator.map_frame = `vehicle`: images are tracked in a map in the world frame; take `world`";
   if (s.filter.linearization == Linearization::first_estimate)
     return "first-estimate Jacobians are derived for ranges and bearings on a plane only, not for images; take `analytic`";
+  const bool lasts = c.settings.filter.sigma_lasting_px > 0;
+  if (lasts && (s.filter.form != BeliefForm::covariance || s.filter.decorrelate != Decorrelation::nothing))
+    return "lasting errors of matches are estimated in covariance form with all correlations only; take sensor.sigma_lasting_px = "
+           "0 and a sensor.sigma_pixel_px that covers them, e.g. 0.4";
   return "";
 }
 
@@ -181,10 +185,14 @@ void SlamEstimator::predict(Estimate& e, const Command& command, const Observati
     else
       predict_body(e, i, commanded_input(command, i, model.motion), observed, tick, settings_);
   }
+  for (const FeatureTracker& camera : cameras_) camera.predict_lasting_errors(e, tick.dt);
 }
 
 void SlamEstimator::predict_features(Estimate& e, FeatureTracker& camera) {
-  if (!bodies_[camera.camera().body].was_lost) camera.align(e, motion_of(camera));
+  if (bodies_[camera.camera().body].was_lost)
+    camera.forget_lasting_errors();
+  else
+    camera.align(e, motion_of(camera));
   camera.predict(e, motion_of(camera));
 }
 
@@ -335,7 +343,10 @@ void count_matches(Estimate& e, std::size_t body, int matches, bool in_images) {
 
 bool SlamEstimator::correct(Estimate& e) {
   measurements_.clear();
-  for (const FeatureTracker& camera : cameras_) camera.append_measurements(e, measurements_);
+  for (FeatureTracker& camera : cameras_) {
+    camera.lend_lasting_errors(e);
+    camera.append_measurements(e, measurements_);
+  }
   measurements_.insert(measurements_.end(), inliers_.measurements.begin(), inliers_.measurements.end());
   const auto relinearize = [&](const AnyBelief&) {
     std::vector<LinearizedMeasurement> again;

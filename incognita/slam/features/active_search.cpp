@@ -41,7 +41,7 @@ void drop_repeated_corners(TrackedCamera& camera) {
 
 /// Information about camera and map that a match gives, 1/2 log |S R^-1| (thesis C.2), times the probability of one.
 double expected_information(const FeatureMatch& match, const TrackedCamera& camera) {
-  const double ratio = match.innovation_cov.determinant() / (camera.pixel_var() * camera.pixel_var());
+  const double ratio = match.innovation_cov.determinant() / match.error_cov.determinant();
   return 0.5 * std::log(ratio) * match_probability(camera.features.at(match.id));
 }
 

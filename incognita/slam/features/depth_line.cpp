@@ -42,7 +42,7 @@ std::vector<Hypothesis> project(const Landmark& line, const Feature& feature, co
     measurement.add(camera.view.body, camera.view.jacobian(prediction->Hv));
     measurement.add(line.block, prediction->Hl.leftCols<5>());
     measurement.residual = Eigen::Vector2d::Zero();
-    measurement.R = camera.pixel_var() * Eigen::Matrix2d::Identity();
+    measurement.R = camera.error_var() * Eigen::Matrix2d::Identity();
     estimate.belief.innovation_covariance({&measurement, 1}, S);
     predictions.push_back({i, {prediction->pixel, S, search.gate_sigmas}});
   }

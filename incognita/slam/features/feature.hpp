@@ -12,6 +12,7 @@
 #include "incognita/models/motion/mount.hpp"
 #include "incognita/models/sensors/camera_measurement.hpp"
 #include "incognita/slam/bundle/depth_prior.hpp"
+#include "incognita/slam/features/lasting_errors.hpp"
 #include "incognita/slam/features/patch_plane.hpp"
 #include "incognita/slam/features/settings.hpp"
 #include "incognita/slam/mapper/estimate.hpp"
@@ -67,8 +68,10 @@ struct Feature {
 struct FeatureMatch {
   std::int64_t id = 0;
   bool anchor = false;
-  Eigen::Vector2d predicted;                             ///< px, from the prior belief
-  Eigen::Matrix2d innovation_cov;                        ///< S_i = H_i P H_i' + R, px^2
+  Eigen::Vector2d predicted;       ///< px, from the prior belief
+  Eigen::Matrix2d innovation_cov;  ///< S_i = H_i P H_i' + R, px^2
+  /// px^2, of the error of a match, white and lasting, before it
+  Eigen::Matrix2d error_cov = Eigen::Matrix2d::Zero();
   double expected_information = 0;                       ///< nats, of a search; it orders them
   CameraJacobian Hv;                                     ///< d(pixel) / d(camera error)
   Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 6> Hl;  ///< no columns for anchors
@@ -143,7 +146,10 @@ struct TrackedCamera {
   }
   double lasting_factor = 1;  ///< of the variance of a match in the correction: its error lasts, PixelNoise
   std::optional<double> sigma_pixel_px = {};  ///< as estimated from the matches; none: as in the settings
+  /// px^2: of the white part of the error of a match, and of all of it.
   double pixel_var() const { return std::pow(sigma_pixel_px.value_or(settings.filter.sigma_pixel_px), 2); }
+  double error_var() const { return pixel_var() + std::pow(settings.filter.sigma_lasting_px, 2); }
+  LastingErrors lasting = {};
 };
 
 /// The pose of a camera on a body in `state`. `mount`: none if the body is the camera itself.

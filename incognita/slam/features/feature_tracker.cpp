@@ -35,6 +35,11 @@ void check_size(const Image& image, const Camera& camera) {
                                 std::to_string(camera.width()) + "x" + std::to_string(camera.height()));
 }
 
+int most_searched(const CameraSlamSettings& settings) {
+  return settings.search.max_measurements > 0 ? settings.search.max_measurements
+                                              : settings.map.wanted_visible;
+}
+
 std::string found_in_words(const Target& target, const TargetPose& pose) {
   return "target " + target.name + " found, " + std::to_string(pose.rms_px) + " px rms";
 }
@@ -75,8 +80,8 @@ FeatureTracker::Start FeatureTracker::find_start(double waited_s) const {
   if (sees_ && !placement_.target)
     return {true, false, {}, "started without a target: the scale is not observable"};
   if (sees_) {
-    TargetSearch search = find_target(*placement_.target, camera_.camera, pyramid_.summed(),
-                                      camera_.settings.filter.sigma_pixel_px);
+    TargetSearch search =
+        find_target(*placement_.target, camera_.camera, pyramid_.summed(), std::sqrt(camera_.error_var()));
     if (search.pose) {
       std::string reason = found_in_words(*placement_.target, *search.pose);
       return {true, false, std::move(search.pose), std::move(reason)};
@@ -101,6 +106,7 @@ void FeatureTracker::start_map(Estimate& estimate, const std::optional<TargetPos
     view->plane.slope_cov.setZero();
     add_anchor(placement_.target->corners[i].position, *std::move(view), estimate, camera_);
   }
+  if (pose) correct_by_target(estimate);
   // The first map is initialized at once: without a target there is nothing else to track
   for (;;) {
     const std::size_t before = camera_.features.size();
@@ -111,6 +117,44 @@ void FeatureTracker::start_map(Estimate& estimate, const std::optional<TargetPos
   if (!camera_.settings.bundle.adjust) return;
   keyframes_.start(camera_.view.camera, pose_cov(estimate), estimate.bodies[camera_.body].t);
   add_new_landmarks_to_keyframe(std::numeric_limits<std::int64_t>::min());
+}
+
+Eigen::Matrix<double, 6, 6> FeatureTracker::start_cov(const TargetPose& pose) const {
+  constexpr double prior_sigmas = 10;  // adds 1 % to the information of the corners
+  return camera_.settings.filter.sigma_lasting_px > 0 ? prior_sigmas * prior_sigmas * pose.covariance
+                                                      : pose.covariance;
+}
+
+/// The pose was solved from corners of the image where the patches of the anchors were then cut: as long as these are matched, the
+/// errors of the corners last. The corners correct a wide prior, so that the filter knows how they depend on each other.
+void FeatureTracker::correct_by_target(Estimate& estimate) {
+  if (!(camera_.settings.filter.sigma_lasting_px > 0)) return;
+  std::vector<FeatureMatch> corners;
+  for (const auto& [id, feature] : camera_.features) {
+    auto match = predict_pixel(estimate.landmarks.at(id), estimate.belief, camera_.camera,
+                               camera_.view.camera, camera_.settings);
+    if (!match) continue;
+    match->measured = feature.view.pixel;
+    match->outcome = MatchOutcome::matched;
+    corners.push_back(*std::move(match));
+  }
+  camera_.lasting.lend(estimate, camera_.settings.filter, corners);
+  std::vector<LinearizedMeasurement> measurements;
+  for (const FeatureMatch& corner : corners)
+    measurements.push_back(linearized_measurement(corner, estimate.landmarks.at(corner.id), camera_));
+  estimate.belief.update(measurements);
+}
+
+void FeatureTracker::start_lasting_errors(Estimate& estimate) {
+  camera_.lasting.start(estimate, camera_.settings.filter, most_searched(camera_.settings));
+}
+
+void FeatureTracker::predict_lasting_errors(Estimate& estimate, double dt) const {
+  camera_.lasting.predict(estimate, camera_.settings.filter, dt);
+}
+
+void FeatureTracker::lend_lasting_errors(Estimate& estimate) {
+  camera_.lasting.lend(estimate, camera_.settings.filter, camera_.matches);
 }
 
 void FeatureTracker::align(const Estimate& estimate, const AnyMotion& motion) {
@@ -286,8 +330,7 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
   std::vector<KeyframeMatch> matches;
   for (const FeatureMatch& match : camera_.matches)
     if (match.outcome == MatchOutcome::matched)
-      matches.push_back({match.id, *match.measured,
-                         match_var(match, camera_) * Eigen::Matrix2d::Identity() + match.plane_cov});
+      matches.push_back({match.id, *match.measured, match_cov(match, camera_)});
   const KeyframePolicy policy{settings.min_frames, settings.min_motion_share * camera_.camera.width(),
                               settings.min_matched_share};
   if (!keyframes_.is_starting() && keyframes_.returning_count(matches) >= least_returning &&

@@ -56,6 +56,18 @@ class FeatureTracker {
   /// Adds the corners of the target that was found, and the first landmarks of the image.
   void start_map(Estimate& estimate, const std::optional<TargetPose>& pose, const AnyMotion& motion);
 
+  // States of the errors of matches that last, lasting_errors.hpp.
+
+  /// Prior covariance of a pose from the target, which start_map() corrects.
+  Eigen::Matrix<double, 6, 6> start_cov(const TargetPose& pose) const;
+  /// Adds them to the belief, before any landmark.
+  void start_lasting_errors(Estimate& estimate);
+  void predict_lasting_errors(Estimate& estimate, double dt) const;
+  /// To be called before the correction: the landmarks of its matches get states.
+  void lend_lasting_errors(Estimate& estimate);
+  /// Of a lost camera: where it is found again it has another view.
+  void forget_lasting_errors() { camera_.lasting.take_back(); }
+
   /// Aligns the image with the one before, from the predicted motion, to guide the search.
   void align(const Estimate& estimate, const AnyMotion& motion);
   void forget_alignment() { camera_.guide.reset(); }
@@ -114,6 +126,7 @@ class FeatureTracker {
     int wanted = 0, possible = 0;
   };
   NewLandmarks new_landmarks(const Estimate& estimate) const;
+  void correct_by_target(Estimate& estimate);
   void add_landmarks(Estimate& estimate);
   bool add_keyframe(Estimate& estimate, const AnyMotion& motion);
   Eigen::Matrix<double, 6, 6> pose_cov(const Estimate& estimate) const;

@@ -33,7 +33,7 @@ Columns pose_jacobian_of(const std::vector<FeatureMatch>& matches) {
 Eigen::MatrixXd map_covariance_of(const std::vector<FeatureMatch>& matches, const Estimate& e,
                                   const TrackedCamera& camera) {
   std::vector<LinearizedMeasurement> measurements;
-  const double sigma_px = std::max(least_sigma_px, std::sqrt(camera.pixel_var()));
+  const double sigma_px = std::max(least_sigma_px, std::sqrt(camera.error_var()));
   for (const FeatureMatch& match : matches) {
     const Landmark& landmark = e.landmarks.at(match.id);
     LinearizedMeasurement measurement;
@@ -129,7 +129,7 @@ std::optional<RefinedPose> pose_of(const std::vector<FeatureMatch>& matches, con
     points.push_back({match.id, at->position, at->covariance, *match.measured});
   }
   if (points.size() < 4) return std::nullopt;
-  const double sigma_px = std::max(least_sigma_px, std::sqrt(camera.pixel_var()));
+  const double sigma_px = std::max(least_sigma_px, std::sqrt(camera.error_var()));
   return refine_pose(points, all, camera.camera, x, sigma_px);
 }
 

@@ -103,8 +103,31 @@ std::optional<FeatureMatch> predict_match(const Landmark& landmark, const PatchV
   return match;
 }
 
+namespace {
+
+double variance_at(int level, double var) { return var * static_cast<double>(1 << (2 * level)); }
+
+/// The mean of the error of a match that lasts, px.
+Eigen::Vector2d lasting_mean(std::int64_t landmark, const AnyBelief& belief, const TrackedCamera& camera) {
+  const auto lasting = camera.lasting.of(landmark);
+  if (!lasting) return Eigen::Vector2d::Zero();
+  return belief.mean(*lasting);
+}
+
+Eigen::Matrix2d error_cov(std::int64_t landmark, const AnyBelief& belief, const TrackedCamera& camera) {
+  const auto lasting = camera.lasting.of(landmark);
+  if (!lasting) return camera.error_var() * Eigen::Matrix2d::Identity();
+  return camera.pixel_var() * Eigen::Matrix2d::Identity() + belief.covariance(*lasting);
+}
+
+}  // namespace
+
 double match_var(const FeatureMatch& match, const TrackedCamera& camera) {
-  return camera.pixel_var() * static_cast<double>(1 << (2 * match.level));
+  return variance_at(match.level, camera.pixel_var());
+}
+
+Eigen::Matrix2d match_cov(const FeatureMatch& match, const TrackedCamera& camera) {
+  return variance_at(match.level, camera.error_var()) * Eigen::Matrix2d::Identity() + match.plane_cov;
 }
 
 LinearizedMeasurement linearized_measurement(const FeatureMatch& match, const Landmark& landmark,
@@ -114,8 +137,12 @@ LinearizedMeasurement linearized_measurement(const FeatureMatch& match, const La
   if (!landmark.fixed) measurement.add(landmark.block, match.Hl);
   measurement.residual = Eigen::Vector2d::Zero();
   if (match.measured) measurement.residual = *match.measured - match.predicted;
-  measurement.R =
-      match_var(match, camera) * Eigen::Matrix2d::Identity() + match.plane_cov + match.second_order_cov;
+  if (const auto lasting = camera.lasting.of(match.id)) {
+    measurement.add(*lasting, Eigen::Matrix2d::Identity());
+    measurement.R = match_var(match, camera) * Eigen::Matrix2d::Identity() + match.second_order_cov;
+  } else {
+    measurement.R = match_cov(match, camera) + match.second_order_cov;
+  }
   return measurement;
 }
 
@@ -124,7 +151,7 @@ bool predict_again(FeatureMatch& match, const Estimate& estimate, const TrackedC
   const auto now =
       predict_pixel(estimate.landmarks.at(match.id), estimate.belief, camera.camera, from, camera.settings);
   if (!now) return false;
-  match.predicted = now->predicted;
+  match.predicted = now->predicted + lasting_mean(match.id, estimate.belief, camera);
   match.Hv = now->Hv;
   match.Hl = now->Hl;
   return true;
@@ -173,6 +200,8 @@ void predict_matches(const Estimate& estimate, TrackedCamera& camera) {
     if (!match) return;
     if (camera.settings.initialization.second_order)
       add_second_order(*match, landmark, estimate.belief, camera.view);
+    match->predicted += lasting_mean(landmark.id, estimate.belief, camera);
+    match->error_cov = error_cov(landmark.id, estimate.belief, camera);
     const LinearizedMeasurement measurement = linearized_measurement(*match, landmark, camera);
     estimate.belief.innovation_covariance({&measurement, 1}, S);
     match->innovation_cov = S;

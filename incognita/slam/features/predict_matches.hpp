@@ -21,10 +21,13 @@ std::optional<FeatureMatch> predict_match(const Landmark& landmark, const PatchV
                                           const AnyBelief& belief, const Camera& camera,
                                           const CameraState& from, const CameraSlamSettings& settings);
 
-/// Variance of a match per axis, px^2, without that of its unknown plane.
+/// Variance of the white part of the error of a match, per axis, px^2.
 double match_var(const FeatureMatch& match, const TrackedCamera& camera);
+/// Covariance of all of its error, px^2.
+Eigen::Matrix2d match_cov(const FeatureMatch& match, const TrackedCamera& camera);
 
-/// The linearized measurement, two rows, with zero residual before a match; blocks of the body and the landmark.
+/// The linearized measurement, two rows, with zero residual before a match; blocks of the body, of the
+/// landmark and, where it has one, of its lasting error.
 LinearizedMeasurement linearized_measurement(const FeatureMatch& match, const Landmark& landmark,
                                              const TrackedCamera& camera);
 

@@ -40,7 +40,7 @@ std::vector<Relocalization::Tried> Relocalization::poses_in_map(const SummedImag
                                                                 const TrackedCamera& camera) {
   const std::vector<PointMatch> recognized =
       recognize_landmarks(image.image(), estimate, camera, RecognitionLimits{});
-  const double sigma_px = std::max(1.0, std::sqrt(camera.pixel_var()));
+  const double sigma_px = std::max(1.0, std::sqrt(camera.error_var()));
   std::vector<Tried> tried;
   for (const PoseHypothesis& hypothesis :
        find_poses(recognized, camera.camera, pose_limits(camera.settings.map), sigma_px, random_))

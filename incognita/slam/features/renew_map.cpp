@@ -89,6 +89,7 @@ void judge_matches_again(const Estimate& estimate, TrackedCamera& camera) {
 void renew_map(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& camera) {
   camera.sigma_pixel_px.reset();
   camera.lasting_factor = 1;
+  camera.lasting.take_back();
   camera.median_depth_m = 1 / camera.settings.initialization.inverse_depth_per_m;
   begin_landmarks_again(keyframes, estimate, camera);
   put_camera(keyframes, estimate, camera);

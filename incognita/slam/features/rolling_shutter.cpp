@@ -49,18 +49,17 @@ void RollingShutter::update(const Estimate& estimate, const TrackedCamera& camer
   FrameEquations frame;
   for (const FeatureMatch& match : camera.matches) {
     if (match.outcome != MatchOutcome::matched || match.level > 0) continue;
-    const auto corrected = predict_pixel(estimate.landmarks.at(match.id), estimate.belief, camera.camera,
-                                         camera.view.camera, camera.settings);
-    if (!corrected) continue;
-    now_.push_back({match.id, corrected->predicted});
+    FeatureMatch corrected = match;
+    if (!predict_again(corrected, estimate, camera, camera.view.camera)) continue;
+    now_.push_back({match.id, corrected.predicted});
     const auto before = std::ranges::find(before_, match.id, &Seen::id);
     if (before == before_.end() || !t_before || !(t > *t_before)) continue;
-    const Eigen::Vector2d residual = *match.measured - corrected->predicted;
+    const Eigen::Vector2d residual = *match.measured - corrected.predicted;
     if (residual.squaredNorm() > gate2) continue;
-    const Eigen::Vector2d place = ((corrected->predicted.array() + 0.5) / size.array() - 0.5).matrix();
+    const Eigen::Vector2d place = ((corrected.predicted.array() + 0.5) / size.array() - 0.5).matrix();
     // Of predictions: the difference of measurements would have their noise, which is in the residual as well
-    const Eigen::Vector2d px_per_s = (corrected->predicted - before->predicted) / (t - *t_before);
-    frame.add(corrected->Hv.leftCols<6>(), px_per_s, residual, place);
+    const Eigen::Vector2d px_per_s = (corrected.predicted - before->predicted) / (t - *t_before);
+    frame.add(corrected.Hv.leftCols<6>(), px_per_s, residual, place);
   }
   if (frame.matches < least_matches) return;
   const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> pose(frame.A);

@@ -28,6 +28,17 @@ Ellipse ellipse_at_level(const Ellipse& ellipse, int level) {
           ellipse.gate_sigmas};
 }
 
+/// Where a feature is searched for: not in less than the pixel nearest to the prediction.
+Ellipse ellipse_of(const FeatureMatch& match, const SearchSettings& settings) {
+  constexpr double least_px = 0.75;  // half axis, slightly more than half a pixel diagonal
+  const double least_var = std::pow(least_px / settings.gate_sigmas, 2);
+  const Eigen::Matrix2d& S = match.innovation_cov;
+  const double middle = 0.5 * S.trace(),
+               smallest = middle - std::sqrt(std::max(0.0, middle * middle - S.determinant()));
+  return {match.predicted, S + std::max(0.0, least_var - smallest) * Eigen::Matrix2d::Identity(),
+          settings.gate_sigmas};
+}
+
 double half_axis(const Ellipse& ellipse, double limit_px) {
   return std::min(limit_px, ellipse.gate_sigmas * std::sqrt(ellipse.covariance.diagonal().maxCoeff()));
 }
@@ -95,7 +106,7 @@ std::optional<Found> search_feature(CorrelationSheet& sheet, const ImagePyramid&
                                     const TrackedCamera& camera) {
   const SearchSettings& settings = camera.settings.search;
   Searcher searcher(sheet, pyramid, view, match, settings);
-  const Ellipse whole{match.predicted, match.innovation_cov, settings.gate_sigmas};
+  const Ellipse whole = ellipse_of(match, settings);
   const double guided_px = guided_share * camera.camera.width();
   const double size_px = half_axis(whole, settings.max_half_axis_px);
   if (const auto guided = guided_pixel(match, camera); guided && size_px > guided_px) {
@@ -112,7 +123,7 @@ std::optional<Found> search_feature_at_level(CorrelationSheet& sheet, const Imag
                                              const TrackedCamera& camera, int level) {
   const SearchSettings& settings = camera.settings.search;
   Searcher searcher(sheet, pyramid, view, match, settings);
-  Ellipse where{match.predicted, match.innovation_cov, settings.gate_sigmas};
+  Ellipse where = ellipse_of(match, settings);
   const double guided_px = guided_share * camera.camera.width();
   if (const auto guided = guided_pixel(match, camera);
       guided && half_axis(where, settings.max_half_axis_px) > guided_px)

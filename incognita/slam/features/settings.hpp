@@ -13,6 +13,8 @@ struct FilterSettings {
   double sigma_angular_acceleration_rad_s2 = 6;
   double sigma_pixel_px = 0.5;
   bool adapt_sigma_pixel = true;
+  double sigma_lasting_px = 0;
+  double lasting_time_s = 6.5;
   double sigma_start_velocity_m_s = 1;  // it may move when it starts
   double sigma_start_angular_rate_rad_s = 1;
   bool odometry = false;
@@ -32,6 +34,12 @@ struct FilterSettings {
         &S::adapt_sigma_pixel, "adapt_sigma_pixel", "", any(),
         "Whether `sigma_pixel_px` is only the first value, and follows the residuals of the matches, 0.25 to 2 px; in the "
         "correction its square is multiplied by (1 + r) / (1 - r), where r is their correlation from frame to frame");
+    setting(
+        &S::sigma_lasting_px, "sigma_lasting_px", "px", between(0, 100),
+        "Standard deviation, per axis, of the part of the error of a match that lasts over many frames and is estimated "
+        "as a state; 0: all of it is white noise");
+    setting(&S::lasting_time_s, "lasting_time_s", "s", above_up_to(0, 1e6),
+            "Time in which the correlation of that part falls to 1/e");
     setting(&S::sigma_start_velocity_m_s, "sigma_velocity_m_s", "m/s", between(0, 1e4),
             "Standard deviation of the initial velocity, per axis");
     setting(&S::sigma_start_angular_rate_rad_s, "sigma_angular_rate_rad_s", "rad/s", between(0, 1e4),

@@ -33,6 +33,8 @@ void validate(const FilterSettings& s) {
   need_not_negative("vehicle.sigma_acceleration_m_s2", s.sigma_acceleration_m_s2);
   need_not_negative("vehicle.sigma_angular_acceleration_rad_s2", s.sigma_angular_acceleration_rad_s2);
   need_positive("sensor.sigma_pixel_px", s.sigma_pixel_px);
+  need_not_negative("sensor.sigma_lasting_px", s.sigma_lasting_px);
+  need_positive("sensor.lasting_time_s", s.lasting_time_s);
   need_not_negative("start.sigma_velocity_m_s", s.sigma_start_velocity_m_s);
   need_not_negative("start.sigma_angular_rate_rad_s", s.sigma_start_angular_rate_rad_s);
 }

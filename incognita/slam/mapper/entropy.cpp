@@ -37,16 +37,22 @@ int vehicle_errors(const Estimate& e) {
 }
 
 /// The errors that the entropies are of, in the order of the state: first those of the pose or poses, then the map. A
-/// vehicle whose map is in its own frame precedes the pose of the world, and has no error of its own.
+/// vehicle whose map is in its own frame precedes the pose of the world, and has no error of its own. Lasting errors of
+/// matches lie between poses and map; the entropies are not of them.
 struct ErrorRange {
   int first = 0;  ///< index of the first error
   int poses = 0;  ///< errors of the pose or poses
+  int lasting = 0;
   int map = 0;
+
+  int before_map() const { return poses + lasting; }
 };
 ErrorRange errors_of(const Estimate& e) {
   const int first = e.world ? e.belief.offset(*e.world) : 0;
   const int poses = e.world ? e.belief.chart(*e.world).tangent() : vehicle_errors(e);
-  return {first, poses, e.belief.errors() - first - poses};
+  int lasting = 0;
+  for (const BlockId block : e.lasting_errors) lasting += e.belief.chart(block).tangent();
+  return {first, poses, lasting, e.belief.errors() - first - poses - lasting};
 }
 
 /// With a block-diagonal map: sums over its blocks, and the Schur complement of the vehicle for the total.
@@ -80,20 +86,22 @@ void ensure(AlignedBuffer& buffer, std::size_t size) {
   if (buffer.size() < size) buffer = AlignedBuffer(size);
 }
 
-/// One factorization with the poses last: its leading part is the factor of the map.
+/// One factorization with the map first, the poses next and the lasting errors last: its leading parts are the factors of the
+/// map, and of map and poses.
 Entropy entropies_of(const Belief& belief, const ErrorRange& errors, AlignedBuffer& ordered,
                      AlignedBuffer& workspace) {
-  const int size = errors.poses + errors.map, stride = round_up_to_panel(size) + rank_update_panel;
+  const int size = errors.before_map() + errors.map, stride = round_up_to_panel(size) + rank_update_panel;
   ensure(ordered, static_cast<std::size_t>(stride) * size);
   ensure(workspace, cholesky_workspace(size));
-  belief.copy_covariance(errors.first, errors.poses, ordered.data(), stride);
+  belief.copy_covariance(errors.first, errors.before_map(), ordered.data(), stride);
   Entropy entropy;
   if (!cholesky(ordered.data(), stride, size, workspace.data())) return entropy;
   const Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>> L(ordered.data(), size, size,
                                                                Eigen::OuterStride<>(stride));
   const auto log_diagonal = L.diagonal().array().log();
   entropy.map = gaussian_entropy(2 * log_diagonal.head(errors.map).sum(), errors.map);
-  entropy.total = gaussian_entropy(2 * log_diagonal.sum(), size);
+  const int total = errors.map + errors.poses;
+  entropy.total = gaussian_entropy(2 * log_diagonal.head(total).sum(), total);
   return entropy;
 }
 
@@ -164,15 +172,16 @@ void RunningEntropy::update(Estimate& e, double t) {
 
 void RunningEntropy::start(const Estimate& e, double t) {
   const ErrorRange errors = errors_of(e);
-  belief_to_factorize(e)->copy_covariance(errors.first, errors.poses, cholesky_);
+  belief_to_factorize(e)->copy_covariance(errors.first, errors.before_map(), cholesky_);
   map_errors_ = errors.map;
+  total_errors_ = errors.map + errors.poses;
   copy_t_ = t;
 }
 
 void RunningEntropy::advance(Estimate& e) {
   if (!cholesky_.advance(steps_per_tick(cholesky_.size()))) return;
   e.entropy.map = gaussian_entropy(cholesky_.log_det(map_errors_), map_errors_);
-  e.entropy.total = gaussian_entropy(cholesky_.log_det(cholesky_.size()), cholesky_.size());
+  e.entropy.total = gaussian_entropy(cholesky_.log_det(total_errors_), total_errors_);
   e.entropy_t = std::exchange(copy_t_, std::nullopt);
 }
 

@@ -37,10 +37,10 @@ class RunningEntropy {
   void advance(Estimate& estimate);
 
   AlignedBuffer ordered_, workspace_;
-  TiledCholesky cholesky_;              ///< of the copy
-  int map_errors_ = 0;                  ///< of the copy
-  std::optional<double> copy_t_;        ///< s, time of the copy that is being factorized
-  std::optional<double> last_start_t_;  ///< s, of the last refresh: begun or at once
+  TiledCholesky cholesky_;                 ///< of the copy
+  int map_errors_ = 0, total_errors_ = 0;  ///< of the copy
+  std::optional<double> copy_t_;           ///< s, time of the copy that is being factorized
+  std::optional<double> last_start_t_;     ///< s, of the last refresh: begun or at once
 };
 
 }  // namespace incognita

@@ -163,6 +163,8 @@ struct Estimate {
   std::optional<double> first_t;  ///< s, of the first tick
   std::vector<Body> bodies;
   std::optional<BlockId> world;  ///< pose of the world in the vehicle frame; only for a map in that frame
+  /// Blocks after the bodies that are no landmarks: errors of matches in images that last, lasting_errors.hpp.
+  std::vector<BlockId> lasting_errors;
   /// By id: the identity that a sensor provides, or a number of the estimator. With the anchors.
   std::map<std::int64_t, Landmark> landmarks;
   std::int64_t next_id = 0;  ///< next number of the estimator; numbers are unique

@@ -200,6 +200,16 @@ std::string refusal(const std::function<void(CameraSlamSettings&)>& change) {
 
 TEST(SingleCamera, RefusesSettingsThatCannotBe) {
   EXPECT_EQ(refusal([](auto&) {}), "accepted");
+  EXPECT_NE(refusal([](auto& s) {
+              s.filter.sigma_lasting_px = 0.1;
+              s.filter.adapt_sigma_pixel = true;
+            }).find("sensor.adapt_sigma_pixel follows all of the error"),
+            std::string::npos);
+  EXPECT_EQ(refusal([](auto& s) {
+              s.filter.sigma_lasting_px = 0.1;
+              s.filter.adapt_sigma_pixel = false;
+            }),
+            "accepted");
   EXPECT_EQ(refusal([](auto& s) { s.filter.sigma_pixel_px = 0; }),
             "sensor.sigma_pixel_px = 0: must be more than 0, and finite");
   EXPECT_EQ(refusal([](auto& s) { s.filter.sigma_acceleration_m_s2 = -1; }),

@@ -34,6 +34,9 @@ std::string problem_of_camera(const FeatureTracker& camera, const EstimatorSetti
   if (s.filter.linearization == Linearization::first_estimate)
     return "first-estimate Jacobians are derived for ranges and bearings on a plane only, not for images; take `analytic`";
   const bool lasts = c.settings.filter.sigma_lasting_px > 0;
+  if (lasts && c.settings.filter.adapt_sigma_pixel)
+    return "sensor.adapt_sigma_pixel follows all of the error of a match, also what sensor.sigma_lasting_px stands for: set one of "
+           "them to false or 0";
   if (lasts && (s.filter.form != BeliefForm::covariance || s.filter.decorrelate != Decorrelation::nothing))
     return "lasting errors of matches are estimated in covariance form with all correlations only; take sensor.sigma_lasting_px = "
            "0 and a sensor.sigma_pixel_px that covers them, e.g. 0.4";

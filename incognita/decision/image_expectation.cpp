@@ -78,9 +78,7 @@ void ImageExpectation::find_visible(const Viewpoint& from) const {
 void ImageExpectation::add(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const {
   const Viewpoint view = from(state);
   find_visible(view);
-  const int limit =
-      slam_.search.max_measurements > 0 ? slam_.search.max_measurements : slam_.map.wanted_visible;
-  const auto most = static_cast<std::size_t>(limit);
+  const auto most = static_cast<std::size_t>(most_searched(slam_));
   traces_.clear();
   if (visible_.size() > most)
     for (const VisibleLandmark& visible : visible_) traces_.push_back(innovation_trace(visible));

@@ -187,8 +187,7 @@ void image_estimator(SettingReader& r, Scenario& s) {
   accelerations(r, s);
   r.section("sensor");
   r.some(s.slam.filter, &FilterSettings::sigma_pixel_px, &FilterSettings::adapt_sigma_pixel,
-         &FilterSettings::sigma_lasting_px);
-  if (s.slam.filter.sigma_lasting_px > 0) r.some(s.slam.filter, &FilterSettings::lasting_time_s);
+         &FilterSettings::sigma_lasting_px, &FilterSettings::lasting_time_s);
   r.section("search");
   r.all(s.slam.search);
   landmark_initialization(r, s.slam.initialization);

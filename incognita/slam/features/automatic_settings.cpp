@@ -16,6 +16,11 @@ CameraSlamSettings with_automatic(CameraSlamSettings settings, const Camera& cam
   return settings;
 }
 
+int most_searched(const CameraSlamSettings& settings) {
+  return settings.search.max_measurements > 0 ? settings.search.max_measurements
+                                              : settings.map.wanted_visible;
+}
+
 int affordable_measurements(const SearchSettings& settings, int errors) {
   // Rounded from the stage times of recorded runs at 640x480 on one core of a server: search, planes and consensus of a
   // feature; an update of two rows takes 2 errors^2 operations on one triangle

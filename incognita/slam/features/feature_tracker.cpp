@@ -35,11 +35,6 @@ void check_size(const Image& image, const Camera& camera) {
                                 std::to_string(camera.width()) + "x" + std::to_string(camera.height()));
 }
 
-int most_searched(const CameraSlamSettings& settings) {
-  return settings.search.max_measurements > 0 ? settings.search.max_measurements
-                                              : settings.map.wanted_visible;
-}
-
 std::string found_in_words(const Target& target, const TargetPose& pose) {
   return "target " + target.name + " found, " + std::to_string(pose.rms_px) + " px rms";
 }

@@ -48,26 +48,26 @@ void LastingErrors::predict(Estimate& e, const FilterSettings& settings, double 
 void LastingErrors::lend(Estimate& e, const FilterSettings& settings, std::span<const FeatureMatch> matches) {
   if (slots_.empty()) return;
   ++frame_;
-  std::vector<const FeatureMatch*> without;
+  for (const FeatureMatch& match : matches)
+    if (match.outcome == MatchOutcome::matched)
+      if (const auto at = index_of(match.id)) use_again(e, slots_[*at], match.plane_cov);
   for (const FeatureMatch& match : matches) {
-    if (match.outcome != MatchOutcome::matched) continue;
-    if (Slot* slot = find(match.id)) {
-      const Eigen::Matrix2d change = absolute(match.plane_cov - slot->plane_cov);
-      if (!change.isZero(0))
-        e.belief.predict({slot->block, e.belief.mean(slot->block), Eigen::Matrix2d::Identity(), change});
-      slot->used = frame_;
-      slot->plane_cov = match.plane_cov;
-    } else {
-      without.push_back(&match);
-    }
-  }
-  for (const FeatureMatch* match : without) {
+    if (match.outcome != MatchOutcome::matched || index_of(match.id)) continue;
     Slot& slot = longest_unused();
     if (slot.used == frame_) return;  // more matches than blocks
-    slot = {slot.block, match->id, frame_, match->plane_cov};
+    slot = {slot.block, match.id, frame_, match.plane_cov};
     e.belief.predict({slot.block, Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero(),
-                      stationary_cov(settings, match->plane_cov)});
+                      stationary_cov(settings, match.plane_cov)});
   }
+}
+
+/// When more or less of the plane becomes known, or it is seen from elsewhere, the error changes by about as much at once.
+void LastingErrors::use_again(Estimate& e, Slot& slot, const Eigen::Matrix2d& plane_cov) {
+  const Eigen::Matrix2d change = absolute(plane_cov - slot.plane_cov);
+  if (!change.isZero(0))
+    e.belief.predict({slot.block, e.belief.mean(slot.block), Eigen::Matrix2d::Identity(), change});
+  slot.used = frame_;
+  slot.plane_cov = plane_cov;
 }
 
 void LastingErrors::take_back() {
@@ -75,14 +75,14 @@ void LastingErrors::take_back() {
 }
 
 std::optional<BlockId> LastingErrors::of(std::int64_t landmark) const {
-  const auto slot = std::ranges::find(slots_, landmark, &Slot::landmark);
-  if (slot == slots_.end()) return std::nullopt;
-  return slot->block;
+  const auto at = index_of(landmark);
+  return at ? std::optional(slots_[*at].block) : std::nullopt;
 }
 
-LastingErrors::Slot* LastingErrors::find(std::int64_t landmark) {
+std::optional<std::size_t> LastingErrors::index_of(std::int64_t landmark) const {
   const auto slot = std::ranges::find(slots_, landmark, &Slot::landmark);
-  return slot == slots_.end() ? nullptr : &*slot;
+  if (slot == slots_.end()) return std::nullopt;
+  return static_cast<std::size_t>(slot - slots_.begin());
 }
 
 /// Blocks of no landmark first.

@@ -29,7 +29,8 @@ class LastingErrors {
   /// Prediction over `dt` s: each error decays, and its variance returns to that of the settings.
   void predict(Estimate& estimate, const FilterSettings& settings, double dt) const;
   /// Lends a block to the landmark of each match that corrects the filter; blocks that were not used for longest are taken from
-  /// theirs. A new error is independent of the state. That the plane of a patch is not known makes it larger.
+  /// theirs. A new error is independent of the state. That the plane of a patch is not known makes it larger, and it changes with
+  /// what is known. `matches`: with plane_cov, px^2, in pixels of the image.
   void lend(Estimate& estimate, const FilterSettings& settings, std::span<const FeatureMatch> matches);
   /// Takes all blocks back: other views have other errors.
   void take_back();
@@ -44,7 +45,8 @@ class LastingErrors {
     std::int64_t used = 0;                                ///< the last frame with a match
     Eigen::Matrix2d plane_cov = Eigen::Matrix2d::Zero();  ///< px^2, of that match
   };
-  Slot* find(std::int64_t landmark);
+  std::optional<std::size_t> index_of(std::int64_t landmark) const;
+  void use_again(Estimate& estimate, Slot& slot, const Eigen::Matrix2d& plane_cov);
   Slot& longest_unused();
 
   std::vector<Slot> slots_;

@@ -85,6 +85,9 @@ class AnyBelief {
   void change_frame(const LinearizedMotion& frame_motion, std::span<const Belief::MovedBlock> others) {
     std::get<Belief>(form_).change_frame(frame_motion, others);
   }
+  void shear(BlockId vehicle, int first, std::span<const ErrorShear> landmarks) {
+    std::get<Belief>(form_).shear(vehicle, first, landmarks);
+  }
   void decorrelate(Belief::Scope scope) { std::get<Belief>(form_).decorrelate(scope); }
   /// True for a block-diagonal map covariance; false in information form.
   bool drops_correlations() const {

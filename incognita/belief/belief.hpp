@@ -99,6 +99,10 @@ class Belief : public StateLayout {
   };
   void change_frame(const LinearizedMotion& frame_motion, std::span<const MovedBlock> others);
 
+  /// Adds to the error of each landmark its B times the errors of the vehicle from `first` on: P <- T P T'. Means stay.
+  /// Quadratic in the state, one pass over one triangle. Throws std::logic_error with a block-diagonal map.
+  void shear(BlockId vehicle, int first, std::span<const ErrorShear> landmarks);
+
   /// Makes the covariance, or only its map part (3.28), block diagonal with the least additional trace: see
   /// inflation.hpp. Slow, for studies. The first block is the vehicle; throws std::logic_error when there is
   /// another vehicle.

@@ -6,6 +6,7 @@
 
 #include "incognita/belief/belief.hpp"
 #include "incognita/belief/inflation.hpp"
+#include "incognita/belief/weighted_columns.hpp"
 
 namespace incognita {
 
@@ -55,6 +56,39 @@ void Belief::change_frame(const LinearizedMotion& frame_motion, std::span<const 
   for (const MovedBlock& c : others) set_mean(c.block, c.x_next);
   set_mean(frame_motion.block, frame_motion.x_next);
   note(CovarianceEdit::frame_changed);
+}
+
+void Belief::shear(BlockId vehicle, int first, std::span<const ErrorShear> landmarks) {
+  if (correlations_ == MapCorrelations::block_diagonal)
+    throw std::logic_error("shear: not available with a block-diagonal map");
+  if (landmarks.empty()) return;
+  const auto columns = static_cast<int>(landmarks.front().B.cols());
+  const Block& v = block(vehicle);
+  if (first < 0 || first + columns > v.chart.tangent())
+    throw std::invalid_argument("shear: the vehicle has no errors " + std::to_string(first) + " to " +
+                                std::to_string(first + columns - 1));
+  for (const auto& [id, B] : landmarks)
+    if (B.cols() != columns || B.rows() != block(id).chart.tangent() || block(id).error <= v.error)
+      throw std::invalid_argument("shear: block " + std::to_string(id) + " must be a landmark and needs B " +
+                                  std::to_string(block(id).chart.tangent()) + "x" + std::to_string(columns));
+  // With E, which selects the errors of the vehicle: P + B M + M' B', M = E P + E P E' B' / 2
+  reserve_rank(2 * columns);
+  Matrix U(PHt_.data(), errors_, 2 * columns, Eigen::OuterStride<>(P_.stride));  // B, M'
+  auto B = U.leftCols(columns), Mt = U.rightCols(columns);
+  B.setZero();
+  for (int k = 0; k < columns; ++k)
+    for (int i = 0; i < errors_; ++i) Mt(i, k) = entry(i, v.error + first + k);
+  const BlockMatrix half = 0.5 * covariance(vehicle).block(first, first, columns, columns);
+  for (const auto& [id, of_landmark] : landmarks) {
+    B.middleRows(block(id).error, of_landmark.rows()) = of_landmark;
+    Mt.middleRows(block(id).error, of_landmark.rows()) += of_landmark * half;
+  }
+  BlockVector weights(2 * columns);
+  for (int j = 0; j < errors_; ++j) {
+    weights << Mt.row(j).transpose(), B.row(j).transpose();
+    add_weighted_columns(P_.column(j) + j, &U(j, 0), P_.stride, weights.data(), 2 * columns, errors_ - j);
+  }
+  note(BlockShear{vehicle, first, {landmarks.begin(), landmarks.end()}});
 }
 
 void Belief::decorrelate(Scope scope) {

@@ -23,6 +23,17 @@ struct BlockReplacement {
   BlockMatrix noise;
 };
 
+/// Errors of a vehicle were added to those of landmarks: new error = error + B * (those errors).
+struct ErrorShear {
+  BlockId landmark = 0;
+  BlockMatrix B;  ///< errors of the landmark x those of the vehicle
+};
+struct BlockShear {
+  BlockId vehicle = 0;
+  int first = 0;  ///< of its errors, as many as B has columns
+  std::vector<ErrorShear> landmarks;
+};
+
 /// A block was marginalized out.
 struct BlockDrop {
   BlockId block = 0;
@@ -36,7 +47,7 @@ enum class CovarianceEdit {
 
 /// Only measurements that were applied are recorded, not rejected ones.
 using BeliefEvent = std::variant<LinearizedMotion, LinearizedMeasurement, BlockAugmentation, BlockReplacement,
-                                 BlockDrop, CovarianceEdit>;
+                                 BlockShear, BlockDrop, CovarianceEdit>;
 using BeliefTrace = std::vector<BeliefEvent>;
 
 }  // namespace incognita

@@ -382,6 +382,12 @@ TEST(ObservabilityMonitor, AgreesWithABeliefThatItFollows) {
       landmarks.push_back(
           belief.augment(Chart::line(2), VectorXd::Zero(2), {&parent, 1}, 0.1 * MatrixXd::Identity(2, 2)));
     }
+    if (step > 4) {  // one landmark keeps its errors
+      std::vector<ErrorShear> shears;
+      for (std::size_t i = 1; i < landmarks.size(); ++i)
+        shears.push_back({landmarks[i], random_matrix(random, 2, 2)});
+      belief.shear(frame_motion, 1, shears);
+    }
     if (step == 8) belief.drop(landmarks[1]);
     if (step == 8) landmarks.erase(landmarks.begin() + 1);
     monitor.follow(belief.trace());

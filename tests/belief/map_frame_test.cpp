@@ -61,6 +61,43 @@ TEST(ChangeFrame, EqualsTheDenseProduct) {
   }
 }
 
+TEST(Shear, EqualsTheDenseProduct) {
+  RandomStream random(12, "shear");
+  for (int run = 0; run < 50; ++run) {
+    Map map(random, {3, 5}, {2, 1, 3, 6});
+    const BlockId vehicle = map.vehicles[1];
+    const int n = map.belief.errors(), at = map.belief.offset(vehicle) + 2;
+    Eigen::MatrixXd T = Eigen::MatrixXd::Identity(n, n);
+    std::vector<ErrorShear> shears;
+    for (const BlockId id : {map.landmarks[3], map.landmarks[0]}) {  // in any order, not all
+      const int size = map.belief.chart(id).tangent();
+      shears.push_back({id, random_matrix(random, size, 3)});
+      T.block(map.belief.offset(id), at, size, 3) = shears.back().B;
+    }
+    const Eigen::MatrixXd expected = T * map.belief.dense_covariance() * T.transpose();
+    const Eigen::VectorXd mean = map.belief.mean(map.landmarks[3]);
+    map.belief.shear(vehicle, 2, shears);
+    EXPECT_TRUE(close(map.belief.dense_covariance(), expected, 1e-11));
+    EXPECT_TRUE(close(map.belief.mean(map.landmarks[3]), mean, 0));
+  }
+}
+
+TEST(Shear, RefusesWrongSizesAndVehicles) {
+  RandomStream random(13, "misfit");
+  Map map(random, {3, 3}, {2});
+  const Eigen::MatrixXd before = map.belief.dense_covariance();
+  const auto refuses = [&](BlockId vehicle, int first, BlockId landmark, int rows, int columns) {
+    const ErrorShear shear{landmark, Eigen::MatrixXd::Ones(rows, columns)};
+    EXPECT_THROW(map.belief.shear(vehicle, first, {&shear, 1}), std::invalid_argument);
+  };
+  refuses(map.vehicles[0], 1, map.landmarks[0], 2, 3);  // the vehicle has three errors
+  refuses(map.vehicles[0], -1, map.landmarks[0], 2, 1);
+  refuses(map.vehicles[0], 0, map.landmarks[0], 3, 3);  // the landmark two
+  refuses(map.vehicles[1], 0, map.vehicles[0], 3, 3);
+  refuses(map.vehicles[1], 0, map.vehicles[1], 3, 3);
+  EXPECT_TRUE(close(map.belief.dense_covariance(), before, 0));
+}
+
 TEST(ChangeFrame, RefusesWrongSizes) {
   RandomStream random(3, "misfit");
   Map map(random, {3}, {2});

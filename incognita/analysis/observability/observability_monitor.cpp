@@ -141,6 +141,7 @@ void ObservabilityMonitor::follow(const BeliefTrace& trace) {
     void operator()(const LinearizedMeasurement& measurement) { monitor.add_measurement(measurement); }
     void operator()(const BlockAugmentation& initialization) { monitor.augment(initialization); }
     void operator()(const BlockReplacement& replacement) { monitor.replace(replacement); }
+    void operator()(const BlockShear& shear) { monitor.shear(shear); }
     void operator()(const BlockDrop& drop) { monitor.drop(drop.block); }
     void operator()(CovarianceEdit how) {
       switch (how) {
@@ -447,6 +448,33 @@ void ObservabilityMonitor::replace(const BlockReplacement& r) {
   eliminate(first, old - known);
   shrink(*block, old - size);
   transform_block(first, size, noise.matrixU().transpose());
+}
+
+/// Old errors of the landmarks = new ones - B v, v of the vehicle. With rows R such that L B = R' R B and (L - R' R) B = 0,
+/// the rest of L stays, and R (new errors - B v) are rows that involve the vehicle.
+void ObservabilityMonitor::shear(const BlockShear& s) {
+  const Block* vehicle = find(s.vehicle);
+  if (!vehicle || s.landmarks.empty()) return;
+  absorb_rows();
+  apply_motion();
+  const Eigen::Index columns = s.landmarks.front().B.cols(), all = vehicle_errors();
+  MatrixXd B = MatrixXd::Zero(L_.size(), columns);
+  for (const auto& [id, of_landmark] : s.landmarks)
+    if (const Block* block = find(id)) B.middleRows(block->first - all, block->errors) = of_landmark;
+  const Eigen::Index first = vehicle->first + s.first;
+  V_.middleCols(first, columns) -= V_.rightCols(L_.size()) * B;
+  MatrixXd L = L_.matrix();
+  const MatrixXd LB = L * B;
+  const MatrixXd F = factor_of(B.transpose() * LB);
+  if (F.cols() == 0) return;
+  MatrixXd rows = MatrixXd::Zero(V_.rows() + F.cols(), V_.cols());
+  rows.topRows(V_.rows()) = V_;
+  rows.bottomRightCorner(F.cols(), L.cols()) =
+      F.completeOrthogonalDecomposition().pseudoInverse() * LB.transpose();
+  L -= rows.bottomRightCorner(F.cols(), L.cols()).transpose() * rows.bottomRightCorner(F.cols(), L.cols());
+  rows.block(V_.rows(), first, F.cols(), columns) = -F.transpose();
+  L_.set(L);
+  put_rows(std::move(rows));
 }
 
 MatrixXd ObservabilityMonitor::information() {

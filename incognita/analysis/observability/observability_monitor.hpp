@@ -84,6 +84,8 @@ class ObservabilityMonitor {
   /// Transforms the information about the old block to the new one. If the new one has noise of its own, it
   /// starts with zero information.
   void replace(const BlockReplacement& replacement);
+  /// Transforms the information about landmarks to errors that have a part of the vehicle's error added.
+  void shear(const BlockShear& shear);
   /// Marginalizes the block out; the information it provided about others remains.
   void drop(BlockId id);
 

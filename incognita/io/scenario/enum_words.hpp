@@ -59,7 +59,8 @@ inline constexpr auto enum_words<Linearization> =
     std::to_array<EnumWord<Linearization>>({{Linearization::analytic, "analytic"},
                                             {Linearization::iterated, "iterated"},
                                             {Linearization::unscented_vehicle, "unscented-vehicle"},
-                                            {Linearization::first_estimate, "first-estimate"}});
+                                            {Linearization::first_estimate, "first-estimate"},
+                                            {Linearization::invariant, "invariant"}});
 template <>
 inline constexpr auto enum_words<BeliefForm> = std::to_array<EnumWord<BeliefForm>>(
     {{BeliefForm::covariance, "covariance"}, {BeliefForm::information, "information"}});

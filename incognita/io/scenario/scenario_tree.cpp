@@ -188,6 +188,10 @@ void image_estimator(SettingReader& r, Scenario& s) {
   r.section("sensor");
   r.some(s.slam.filter, &FilterSettings::sigma_pixel_px, &FilterSettings::adapt_sigma_pixel,
          &FilterSettings::sigma_lasting_px, &FilterSettings::lasting_time_s);
+  if (!s.is_room_vehicle()) {
+    r.section("estimator");
+    r.some(s.slam.filter, &FilterSettings::invariant);
+  }
   r.section("search");
   r.all(s.slam.search);
   landmark_initialization(r, s.slam.initialization);

@@ -66,6 +66,18 @@ std::optional<InverseDepthLandmark::Initialization> InverseDepthLandmark::initia
   return initialization;
 }
 
+Eigen::Matrix<double, 6, 3> InverseDepthLandmark::by_world_turn(const State& y) const {
+  // The ray r of depth 1 becomes r + t x r in the initial axes; its depth along them, and with it that of the point, changes
+  const Eigen::Vector3d ray(y[3], y[4], 1);
+  const Eigen::Matrix3d turned =
+      -skew<double>(ray) * rotation_matrix<double>(world_from_initial_camera).transpose();
+  Eigen::Matrix<double, 6, 3> J;
+  J.topRows<3>() = -skew<double>(y.head<3>());
+  J.middleRows<2>(3) = turned.topRows<2>() - ray.head<2>() * turned.row(2);
+  J.row(5) = -y[5] * turned.row(2);
+  return J;
+}
+
 InverseDepthLandmark::Point InverseDepthLandmark::point(const State& y) const {
   const Eigen::Matrix3d axes = rotation_matrix<double>(world_from_initial_camera);
   const Eigen::Vector3d ray = axes * Eigen::Vector3d(y[3], y[4], 1);

@@ -40,6 +40,9 @@ struct PointLandmark {
   /// Nothing where the camera model is not defined; the pixel may lie outside the image.
   static std::optional<Prediction> predict_measurement(const Camera& camera, const CameraState& x,
                                                        const State& point);
+
+  /// d(point) / d(turn of the world about its origin, rad, world axes).
+  static Eigen::Matrix3d by_world_turn(const State& point) { return -skew<double>(point); }
 };
 
 struct InverseDepthLandmark {
@@ -83,6 +86,9 @@ struct InverseDepthLandmark {
   /// Nothing when no ray maps to the pixel. `inverse_depth` (1/m): prior mean.
   static std::optional<Initialization> initialize(const Camera& camera, const CameraState& x,
                                                   const Eigen::Vector2d& pixel, double inverse_depth);
+
+  /// d(landmark) / d(turn of the world about its origin, rad, world axes); the axes of the initial camera stay.
+  Eigen::Matrix<double, 6, 3> by_world_turn(const State& y) const;
 
   /// Conversion to a point; requires a positive inverse depth.
   Point point(const State& y) const;

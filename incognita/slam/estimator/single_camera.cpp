@@ -30,6 +30,7 @@ SlamEstimator single_camera(Camera camera, const std::optional<Target>& target,
   if (odometry) validate(*odometry);
   EstimatorSettings estimator;
   estimator.filter = filter;
+  if (settings.filter.invariant) estimator.filter.linearization = Linearization::invariant;
   estimator.bodies.push_back(free_camera_body(settings.filter));
   estimator.bodies.front().wheels = odometry;
   estimator.health = settings.health;

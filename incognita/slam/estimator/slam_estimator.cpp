@@ -11,6 +11,7 @@
 #include "incognita/slam/mapper/bodies.hpp"
 #include "incognita/slam/mapper/correction.hpp"
 #include "incognita/slam/mapper/health.hpp"
+#include "incognita/slam/mapper/invariant_errors.hpp"
 #include "incognita/slam/mapper/landmarks.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
 #include "incognita/slam/mapper/prediction.hpp"
@@ -323,6 +324,7 @@ void SlamEstimator::find_in_map(Estimate& e, FeatureTracker& camera) {
   P.diagonal().segment<3>(6).setConstant(std::pow(settings_.health.sigma_search_velocity_m_s, 2));
   P.diagonal().tail<3>().setConstant(std::pow(settings_.health.sigma_search_rate_rad_s, 2));
   put_body(e, which, found->camera, P);
+  restart_invariant_errors(e);
   camera.take_matches(*std::move(found), e);
   if (camera.matched() >= camera.camera().settings.relocalization.min_matches) return;
   camera.discard_matches();
@@ -454,6 +456,7 @@ void SlamEstimator::maintain_maps(Estimate& e) {
       camera.maintain_map(e, motion_of(camera));
     if (camera.moved_estimate()) express_in_world(e, settings_);
   }
+  if (settings_.filter.linearization == Linearization::invariant) begin_invariant_errors(e);
 }
 
 // ---- Results

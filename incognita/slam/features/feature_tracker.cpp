@@ -19,6 +19,7 @@
 #include "incognita/slam/features/renew_map.hpp"
 #include "incognita/slam/features/search_feature.hpp"
 #include "incognita/slam/features/validation.hpp"
+#include "incognita/slam/mapper/invariant_errors.hpp"
 
 namespace incognita {
 namespace {
@@ -137,7 +138,9 @@ void FeatureTracker::correct_by_target(Estimate& estimate) {
   std::vector<LinearizedMeasurement> measurements;
   for (const FeatureMatch& corner : corners)
     measurements.push_back(linearized_measurement(corner, estimate.landmarks.at(corner.id), camera_));
+  const SmallVector before = estimate.belief.mean(camera_.view.body);
   estimate.belief.update(measurements);
+  if (camera_.settings.filter.invariant) keep_errors_invariant(estimate, camera_.view.body, before);
 }
 
 void FeatureTracker::start_lasting_errors(Estimate& estimate) {
@@ -340,8 +343,10 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
   AdjustmentSettings adjustment;
   adjustment.max_iterations = settings.max_iterations;
   adjustment.robust.limit_sigmas = settings.limit_sigmas;
+  const SmallVector unadjusted = estimate.belief.mean(camera_.view.body);
   keyframes_.adjust(estimate, camera_.view.body, camera_.camera, adjustment, camera_.depth_prior(),
                     settings.window);
+  if (camera_.settings.filter.invariant) keep_errors_invariant(estimate, camera_.view.body, unadjusted);
   if (keyframes_.start_again(camera_.camera, adjustment)) {
     renew_map(keyframes_, estimate, camera_);
     pixel_noise_ = {};

@@ -7,6 +7,7 @@
 #include "incognita/slam/features/map_management.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 #include "incognita/slam/mapper/bodies.hpp"
+#include "incognita/slam/mapper/invariant_errors.hpp"
 
 namespace incognita {
 namespace {
@@ -70,6 +71,7 @@ void put_camera(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& c
       std::max(velocity_share * x.segment<3>(7).norm(), least_depths_per_s * median_depth));
   sigmas.tail<3>().setConstant(std::max(velocity_share * x.tail<3>().norm(), least_rate_rad_s));
   put_body(estimate, camera.body, x, sigmas.cwiseAbs2().asDiagonal());
+  restart_invariant_errors(estimate);
   camera.view = viewpoint(estimate, camera);
 }
 
@@ -100,7 +102,9 @@ void renew_map(const Keyframes& keyframes, Estimate& estimate, TrackedCamera& ca
   for (const FeatureMatch& match : camera.matches)
     if (match.outcome == MatchOutcome::matched)
       measurements.push_back(linearized_measurement(match, estimate.landmarks.at(match.id), camera));
+  const SmallVector before = estimate.belief.mean(camera.view.body);
   estimate.belief.update(measurements);
+  if (camera.settings.filter.invariant) keep_errors_invariant(estimate, camera.view.body, before);
   camera.view = viewpoint(estimate, camera);
 }
 

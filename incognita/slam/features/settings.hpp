@@ -19,6 +19,7 @@ struct FilterSettings {
   double sigma_start_angular_rate_rad_s = 1;
   bool odometry = false;
   double sigma_slip_m_s = 0.02;
+  bool invariant = false;
 
   static void describe(auto&& setting) {
     using namespace limits;
@@ -48,6 +49,10 @@ struct FilterSettings {
             "Whether the estimator uses the wheel odometry of the vehicle that carries the camera");
     setting(&S::sigma_slip_m_s, "sigma_slip_m_s", "m/s", above_up_to(0, 100),
             "Standard deviation of the vehicle's deviation from rolling without slip, per axis");
+    setting(
+        &S::invariant, "invariant", "", any(),
+        "Whether the errors of the covariance turn with the world (right-invariant filter), so that corrections do not seem "
+        "to show the rotation of the whole world");
   }
 };
 

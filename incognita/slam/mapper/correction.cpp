@@ -3,6 +3,7 @@
 #include <set>
 
 #include "incognita/belief/iterated_update.hpp"
+#include "incognita/slam/mapper/invariant_errors.hpp"
 
 namespace incognita {
 namespace {
@@ -29,11 +30,15 @@ void iterate(Estimate& e, std::span<const LinearizedMeasurement> measurements,
 bool correct(Estimate& e, std::span<const LinearizedMeasurement> measurements, const Relinearize& relinearize,
              const EstimatorSettings& settings) {
   if (measurements.empty()) return false;
+  const bool invariant = settings.filter.linearization == Linearization::invariant;
+  const BlockId body = e.bodies.front().block;
+  const SmallVector before = invariant ? SmallVector(e.belief.mean(body)) : SmallVector();
   if (settings.filter.linearization == Linearization::iterated)
     iterate(e, measurements, relinearize);
   else
     e.last.update = e.belief.update(measurements);
   const bool done = e.last.update.outcome == UpdateReport::Outcome::updated;
+  if (done && invariant) keep_errors_invariant(e, body, before);
   e.last.refused = e.last.refused || e.last.update.outcome == UpdateReport::Outcome::singular;
   constexpr double forgetting = 0.9;
   e.health.recent_nis = forgetting * e.health.recent_nis + (done ? e.last.update.nis : 0);

@@ -65,6 +65,9 @@ struct Body {
   double start_sigma_m = 0;                 ///< of its position at the start, per axis
 };
 
+/// d(errors of a landmark) / d(turn of the world, rad, world axes).
+using ByTurn = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 6, 3>;
+
 struct Landmark {
   std::int64_t id = 0;
   bool fixed = false;  ///< an anchor: at a known position, not in the belief
@@ -72,6 +75,7 @@ struct Landmark {
   BlockId block = 0;     ///< in the belief, unless fixed
   SmallVector position;  ///< world, m; of an anchor only
   SmallVector first;     ///< first estimate, for first-estimate Jacobians
+  ByTurn by_turn;        ///< errors x 3, or empty: invariant_errors.hpp
   int detection_count = 0;
   int expected_scans = 0;  ///< of point sensors in which it was predicted well in view: prune_landmarks.hpp
   int detected_scans = 0;  ///< of them, those that detected it

@@ -18,6 +18,7 @@ void convert_to_point(AnyBelief& belief, Landmark& landmark, const SmallVector& 
                       const SmallMatrix& J, const SmallMatrix& noise) {
   belief.replace(landmark.block, Chart::line(static_cast<int>(position.size())), position, J, noise);
   landmark.form.kind = LandmarkParametrization::Kind::point;
+  if (landmark.by_turn.rows() > 0) landmark.by_turn = (J * landmark.by_turn).eval();
 }
 
 void remove_landmark(Estimate& e, std::int64_t id) {

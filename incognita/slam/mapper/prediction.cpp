@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "incognita/belief/linearize.hpp"
+#include "incognita/slam/mapper/invariant_errors.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
 
 namespace incognita {
@@ -128,7 +129,9 @@ void predict_by_command(Estimate& e, std::size_t which, const SmallVector& comma
   const Body& body = e.bodies[which];
   if (dt > 0) hold(e, which, commanded, dt, dt, settings);
   if (!model.wheels || !body.wheels) return;
+  const SmallVector before = e.belief.mean(body.block);
   const UpdateReport update = update_with_wheel_odometry(e.belief, body.block, *model.wheels, *body.wheels);
+  if (settings.filter.linearization == Linearization::invariant) keep_errors_invariant(e, body.block, before);
   if (update.outcome != UpdateReport::Outcome::updated) e.last.refused = true;
 }
 

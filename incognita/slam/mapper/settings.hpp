@@ -70,7 +70,8 @@ enum class Linearization {
   analytic,           ///< extended Kalman filter
   iterated,           ///< each update is relinearized at its result
   unscented_vehicle,  ///< sigma points for the motion of the vehicle, otherwise as `analytic`
-  first_estimate      ///< Jacobians at the first estimates of vehicle and landmarks
+  first_estimate,     ///< Jacobians at the first estimates of vehicle and landmarks
+  invariant           ///< as `analytic`, with errors that turn with the world: invariant_errors.hpp
 };
 
 /// Frame in which landmarks are expressed: the world, or the vehicle (thesis Section 3.2, third way).

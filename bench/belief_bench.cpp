@@ -1,4 +1,4 @@
-// Compares Belief::update with its lower bound: Eigen's rank update of one triangle.
+// Compares Belief::update with its lower bound, Eigen's rank update of one triangle, and Belief::shear with the update.
 //
 // The variants alternate within one benchmark, so that load changes of the machine affect both, and medians
 // are reported. `ratio` is the time of this library over Eigen's; both are built with the same flags.
@@ -104,6 +104,26 @@ void update(benchmark::State& state) {
   state.counters["predict_us"] = 1e6 * median(predictions);
 }
 
+/// Belief::shear of the whole map, as after a correction with invariant errors, compared with the update before it.
+void shear(benchmark::State& state) {
+  Scene scene(static_cast<int>(state.range(0)));
+  constexpr int rotation = 3;
+  std::vector<ErrorShear> shears;
+  for (const LinearizedMeasurement& measurement : scene.measurements)
+    shears.push_back({measurement.parts[1].block, 1e-6 * random_matrix(landmark_errors, rotation)});
+  std::vector<double> times, ratios;
+  scene.belief.update(scene.measurements);
+  for (auto _ : state) {
+    scene.belief.predict(scene.motion);
+    const double before = seconds([&] { scene.belief.update(scene.measurements); });
+    times.push_back(seconds([&] { scene.belief.shear(scene.motion.block, rotation, shears); }));
+    ratios.push_back(times.back() / before);
+    state.SetIterationTime(times.back());
+  }
+  state.counters["shear_ms"] = 1e3 * median(times);
+  state.counters["ratio"] = median(ratios);
+}
+
 /// The rank update alone on each code path, compared with the memory bandwidth.
 void bare(benchmark::State& state, const RankUpdatePath& path) {
   const int n = static_cast<int>(state.range(0)), stride = round_up_to_panel(n) + 8;
@@ -131,6 +151,8 @@ void bare(benchmark::State& state, const RankUpdatePath& path) {
 }
 
 BENCHMARK(update)->Arg(300)->Arg(600)->Arg(1200)->Arg(3000)->UseManualTime()->MinTime(0.7);
+
+BENCHMARK(shear)->Arg(300)->Arg(600)->Arg(1200)->Arg(3000)->UseManualTime()->MinTime(0.3);
 
 [[maybe_unused]] const bool registered = [] {
   for (const RankUpdatePath& path : rank_update_paths())

@@ -159,7 +159,7 @@ TEST(RoomVehicleSettings, InapplicableOrContradictoryOnesAreRefused) {
   };
   for (const Case& one : cases) EXPECT_HAS(complaint(room + one.text + "\n", ""), one.part);
   EXPECT_HAS(complaint("[start]\nfrom = \"free\"\n[estimator]\nuse_odometry = true\n", ""),
-             "section `estimator` belongs to `vehicle.model = \"terrain\"`");
+             "`estimator.use_odometry` belongs to `vehicle.model = \"terrain\"`");
   EXPECT_HAS(complaint("[start]\nfrom = \"free\"\n[decision]\nmin_bound_m = [5, 5, 5]\n", ""),
              "must, with decision.max_bound_m, contain room.start_position_m");
   EXPECT_HAS(complaint(points + "[controller]\navoidance_distance_m = 1\n", ""),

@@ -144,6 +144,30 @@ TEST(CameraConsistency, WithLastingErrorsAsStatesNisIsNearOne) {
   EXPECT_LT(nees / count, chi_square_quantile(0.995, 6 * 6) / (6 * 6)) << "overconfident";
 }
 
+/// Small noise shows what linearization does: at the start the pose is uncertain across the target, and the first corrections are
+/// large. Without invariant errors they seem to show where the world is turned to.
+TEST(CameraConsistency, WithInvariantErrorsTheStartIsNotOverconfident) {
+  CameraSlamSettings settings = setup().loaded.scenario.slam;
+  settings.filter.sigma_pixel_px = 0.03;
+  settings.filter.sigma_lasting_px = 0.1;
+  settings.initialization.second_order = true;
+  const auto nees = [&](bool invariant) {
+    settings.filter.invariant = invariant;
+    double sum = 0;
+    int count = 0;
+    for (int seed = 1; seed <= 10; ++seed) {
+      const auto made = run(seed, 2, settings);
+      EXPECT_EQ(made.lost_frames, 0) << "seed " << seed;
+      for (const double of_pose : made.nees) sum += of_pose / 6;
+      count += static_cast<int>(made.nees.size());
+    }
+    return sum / count;
+  };
+  const double with = nees(true), without = nees(false);
+  EXPECT_LT(with, 0.8) << "without " << without;
+  EXPECT_GT(without, 1.5 * with);
+}
+
 TEST(CameraConsistency, TheSameSeedGivesTheSameBytes) {
   const std::string once = run(3, 1).bytes, again = run(3, 1).bytes, other = run(4, 1).bytes;
   ASSERT_GT(once.size(), 1000u);

@@ -80,10 +80,10 @@ void Belief::shear(BlockId vehicle, int first, std::span<const ErrorShear> landm
     for (int i = 0; i < errors_; ++i) Mt(i, k) = entry(i, v.error + first + k);
   const BlockMatrix half = 0.5 * covariance(vehicle).block(first, first, columns, columns);
   for (const auto& [id, of_landmark] : landmarks) {
-    B.middleRows(block(id).error, of_landmark.rows()) = of_landmark;
+    B.middleRows(block(id).error, of_landmark.rows()) += of_landmark;
     Mt.middleRows(block(id).error, of_landmark.rows()) += of_landmark * half;
   }
-  BlockVector weights(2 * columns);
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 2 * max_block_size, 1> weights(2 * columns);
   for (int j = 0; j < errors_; ++j) {
     weights << Mt.row(j).transpose(), B.row(j).transpose();
     add_weighted_columns(P_.column(j) + j, &U(j, 0), P_.stride, weights.data(), 2 * columns, errors_ - j);

@@ -387,6 +387,8 @@ TEST(ObservabilityMonitor, AgreesWithABeliefThatItFollows) {
       for (std::size_t i = 1; i < landmarks.size(); ++i)
         shears.push_back({landmarks[i], random_matrix(random, 2, 2)});
       belief.shear(frame_motion, 1, shears);
+      belief.replace(frame_motion, Chart::line(3), VectorXd::Zero(3),
+                     MatrixXd::Identity(3, 3) + 0.1 * random_matrix(random, 3, 3), MatrixXd::Zero(3, 3));
     }
     if (step == 8) belief.drop(landmarks[1]);
     if (step == 8) landmarks.erase(landmarks.begin() + 1);
@@ -395,6 +397,16 @@ TEST(ObservabilityMonitor, AgreesWithABeliefThatItFollows) {
   }
   const MatrixXd P = belief.dense_covariance();
   EXPECT_LT((monitor.information().inverse() - P).norm(), 1e-4 * P.norm());
+}
+
+// Moving information between vehicle and map adds none to what bounds the rounding error
+TEST(ObservabilityMonitor, ShearDoesNotAddToWhatWasGathered) {
+  MonitorAndReference both(16, 4);
+  for (int i = 0; i < 3; ++i) both.initialize(3, 0);
+  both.measure_all(3);
+  const double before = both.monitor.gathered().tail(9).sum();
+  for (int k = 0; k < 100; ++k) both.monitor.shear({vehicle, 1, {{1, 1e-6 * MatrixXd::Ones(3, 2)}}});
+  EXPECT_LT(both.monitor.gathered().tail(9).sum(), 1.01 * before);
 }
 
 TEST(ObservabilityMonitor, ReportsWhatItDoesNotCover) {

@@ -82,6 +82,20 @@ TEST(Shear, EqualsTheDenseProduct) {
   }
 }
 
+TEST(Shear, OfAWholeVehicleAndInParts) {
+  RandomStream random(14, "wide");
+  Map map(random, {12}, {3, 6});
+  const Eigen::MatrixXd P = map.belief.dense_covariance();
+  Eigen::MatrixXd T = Eigen::MatrixXd::Identity(P.rows(), P.cols());
+  std::vector<ErrorShear> shears;
+  for (int part = 0; part < 2; ++part) {  // twice the same landmark
+    shears.push_back({map.landmarks[1], random_matrix(random, 6, 12)});
+    T.block(map.belief.offset(map.landmarks[1]), 0, 6, 12) += shears.back().B;
+  }
+  map.belief.shear(map.vehicles[0], 0, shears);
+  EXPECT_TRUE(close(map.belief.dense_covariance(), T * P * T.transpose(), 1e-11));
+}
+
 TEST(Shear, RefusesWrongSizesAndVehicles) {
   RandomStream random(13, "misfit");
   Map map(random, {3, 3}, {2});

@@ -10,7 +10,7 @@
 #include "incognita/slam/features/predict_matches.hpp"
 #include "incognita/slam/mapper/correction.hpp"
 #include "incognita/slam/mapper/landmarks.hpp"
-#include "tests/slam/synthetic_scene.hpp"
+#include "tests/slam/scene_with_target.hpp"
 
 namespace incognita {
 namespace {
@@ -186,8 +186,38 @@ TEST(InvariantErrors, AreRefusedWhereTheyAreNotDerived) {
   settings.filter.form = BeliefForm::information;
   EXPECT_NE(validate(settings), "");
   settings.filter.form = BeliefForm::covariance;
+  settings.filter.decorrelate = Decorrelation::map_linear;
+  EXPECT_NE(validate(settings), "");
+  settings.filter.decorrelate = Decorrelation::nothing;
   settings.bodies.push_back(free_camera_body({}));
   EXPECT_NE(validate(settings), "");
+  CameraSlamSettings slam = few_features();
+  EXPECT_THROW(single_camera(camera, {}, slam, 10, 1, {}, {.linearization = Linearization::invariant}),
+               std::invalid_argument)
+      << "the camera does not know";
+  slam.filter.invariant = true;
+  slam.initialization.method = InitializationSettings::Method::depth_line;
+  EXPECT_THROW(single_camera(camera, {}, slam, 10, 1), std::invalid_argument);
+}
+
+/// Landmarks of the first image, those of later ones, and points that they become.
+TEST(InvariantErrors, BeginWithTheFirstImage) {
+  CameraSlamSettings slam = few_features();
+  slam.filter.invariant = true;
+  SlamEstimator estimator = single_camera(camera, sheet_target(), slam, 10, 1);
+  const Wall wall = wall_with_sheet();
+  Estimate estimate;
+  for (int k = 0; k < 30; ++k) {
+    estimator.update(estimate, {}, seeing(wall.shared_view(camera_at({0, 0.02 * k, 0}))), tick(k));
+    ASSERT_EQ(estimate.status.state, TrackingState::tracking) << estimate.status.reason;
+    int mapped = 0;
+    for (const auto& [id, landmark] : estimate.landmarks) {
+      if (!landmark.mapped()) continue;
+      ++mapped;
+      ASSERT_EQ(landmark.by_turn.rows(), estimate.belief.chart(landmark.block).tangent()) << "frame " << k;
+    }
+    ASSERT_GT(mapped, 0);
+  }
 }
 
 }  // namespace

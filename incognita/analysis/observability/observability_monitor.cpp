@@ -437,6 +437,7 @@ void ObservabilityMonitor::transform_block(int first, int count, const MatrixXd&
 void ObservabilityMonitor::replace(const BlockReplacement& r) {
   const Block* block = find(r.block);
   if (!block) return;
+  if (is_vehicle(*block)) return replace_vehicle(*block, r);
   absorb_rows();
   const int first = block->first, old = block->errors, size = static_cast<int>(r.J.rows());
   const Eigen::JacobiSVD<MatrixXd> noise(MatrixXd(r.noise), Eigen::ComputeFullU);
@@ -448,6 +449,18 @@ void ObservabilityMonitor::replace(const BlockReplacement& r) {
   eliminate(first, old - known);
   shrink(*block, old - size);
   transform_block(first, size, noise.matrixU().transpose());
+}
+
+/// Of a vehicle, errors that follow from the old ones and the old from them: other changes are motions.
+void ObservabilityMonitor::replace_vehicle(const Block& block, const BlockReplacement& r) {
+  if (r.J.rows() != block.errors || !r.noise.isZero(0) || !can_be_undone(r.J, least_pivot)) {
+    uncovered_ = Uncovered::other_block;
+    return;
+  }
+  absorb_rows();
+  apply_motion();
+  V_.middleCols(block.first, block.errors) =
+      (V_.middleCols(block.first, block.errors) * MatrixXd(r.J).inverse()).eval();
 }
 
 /// Old errors of the landmarks = new ones - B v, v of the vehicle. With rows R such that L B = R' R B and (L - R' R) B = 0,
@@ -474,7 +487,9 @@ void ObservabilityMonitor::shear(const BlockShear& s) {
   L -= rows.bottomRightCorner(F.cols(), L.cols()).transpose() * rows.bottomRightCorner(F.cols(), L.cols());
   rows.block(V_.rows(), first, F.cols(), columns) = -F.transpose();
   L_.set(L);
+  const VectorXd added = added_;
   put_rows(std::move(rows));
+  added_ = added;  // these rows were moved, not gained
 }
 
 MatrixXd ObservabilityMonitor::information() {

@@ -39,8 +39,8 @@ class ObservabilityMonitor {
   enum class Uncovered {
     frame_changed,  ///< all blocks changed together: a map expressed in the vehicle frame
     decorrelated,   ///< correlations were dropped, or variances inflated
-    other_block,    ///< a block other than a vehicle moved
-    not_finite,     ///< a motion or measurement has numbers that are not finite
+    other_block,  ///< a block other than a vehicle moved, or the errors of a vehicle were replaced by fewer or uncertain ones
+    not_finite,  ///< a motion or measurement has numbers that are not finite
   };
 
   /// Treatment of motions.
@@ -114,6 +114,7 @@ class ObservabilityMonitor {
   void absorb_rows();
   void put_rows(Eigen::MatrixXd rows);
   void apply_motion();
+  void replace_vehicle(const Block& block, const BlockReplacement& replacement);
   void put_motion(const Eigen::MatrixXd& before, const Eigen::MatrixXd& F);
   void forget(const Eigen::MatrixXd& directions);
   Eigen::MatrixXd take_rows_of(int first, int count);

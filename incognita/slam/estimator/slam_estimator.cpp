@@ -34,6 +34,12 @@ std::string problem_of_camera(const FeatureTracker& camera, const EstimatorSetti
     return "estimator.map_frame = `vehicle`: images are tracked in a map in the world frame; take `world`";
   if (s.filter.linearization == Linearization::first_estimate)
     return "first-estimate Jacobians are derived for ranges and bearings on a plane only, not for images; take `analytic`";
+  const bool invariant = s.filter.linearization == Linearization::invariant;
+  if (invariant != c.settings.filter.invariant)
+    return "invariant errors must be asked for in the settings of the camera and of the filter, or in neither";
+  if (invariant && c.settings.initialization.method == InitializationSettings::Method::depth_line)
+    return "estimator.invariant is derived for inverse depths and points: take landmark_initialization.method = "
+           "`inverse-depth`, or estimator.invariant = false";
   const bool lasts = c.settings.filter.sigma_lasting_px > 0;
   if (lasts && c.settings.filter.adapt_sigma_pixel)
     return "sensor.adapt_sigma_pixel follows all of the error of a match, also what sensor.sigma_lasting_px stands for: set one of "
@@ -90,6 +96,7 @@ void SlamEstimator::update(Estimate& e, const Command& command, const Observatio
   }
   stage.mark("start");
   if (!e.started) return;
+  if (starts) begin_errors(e);
   const bool tracks = !cameras_.empty() && !starts;
   note_lost(e);
   predict(e, command, observation, tick);
@@ -104,10 +111,16 @@ void SlamEstimator::update(Estimate& e, const Command& command, const Observatio
   if (tracks || cameras_.empty()) assess(e, corrected);
   stage.mark("poses");
   if (tracks) maintain_maps(e);
+  begin_errors(e);
   report(e);
   stage.mark("map");
   if (settings_.filter.entropy) entropy_.update(e, tick.t);
   stage.mark("entropy");
+}
+
+/// Of the landmarks that were added since.
+void SlamEstimator::begin_errors(Estimate& e) const {
+  if (settings_.filter.linearization == Linearization::invariant) begin_invariant_errors(e);
 }
 
 void SlamEstimator::see(const Observation& observation) {
@@ -456,7 +469,6 @@ void SlamEstimator::maintain_maps(Estimate& e) {
       camera.maintain_map(e, motion_of(camera));
     if (camera.moved_estimate()) express_in_world(e, settings_);
   }
-  if (settings_.filter.linearization == Linearization::invariant) begin_invariant_errors(e);
 }
 
 // ---- Results

@@ -42,6 +42,7 @@ class SlamEstimator final : public Estimator {
               const Tick& tick) override;
 
  private:
+  void begin_errors(Estimate& estimate) const;
   void see(const Observation& observation);
   void count_frames(const Tick& tick);
   std::optional<int> missed_frames(std::size_t body) const;

@@ -44,7 +44,7 @@ void keep_body(AnyBelief& belief, BlockId body, const SmallVector& before) {
   A.block<3, 3>(0, rotation) = moved(0);
   A.block<3, 3>(rotation, rotation) = axes_of(now).transpose() * R;
   A.block<3, 3>(6, rotation) = moved(7);  // velocity
-  belief.predict({body, now, A, SmallMatrix::Zero(errors, errors)});
+  belief.replace(body, FreeCameraMotion::chart, now, A, SmallMatrix::Zero(errors, errors));
 }
 
 }  // namespace

@@ -131,8 +131,10 @@ std::string validate_body(const BodyModel& b, const EstimatorSettings& s) {
     return "first-estimate Jacobians are derived for ranges and bearings on a plane only; take `analytic`";
   if (s.filter.linearization == Linearization::invariant &&
       !(s.bodies.size() == 1 && std::holds_alternative<FreeCameraMotion>(b.motion) && b.sensors.empty() &&
-        !(b.sigma_fix_m > 0) && s.filter.form == BeliefForm::covariance))
-    return "invariant errors are derived for one camera that moves freely, in covariance form; take `analytic`";
+        !(b.sigma_fix_m > 0) && s.filter.form == BeliefForm::covariance &&
+        s.filter.decorrelate == Decorrelation::nothing))
+    return "invariant errors are derived for one camera that moves freely, in covariance form with all correlations; take "
+           "`analytic`";
   return s.filter.linearization == Linearization::iterated ? validate_iterated(b, s) : "";
 }
 

@@ -261,5 +261,15 @@ TEST(Keyframes, AreDueAfterMotionOrLostMatches) {
   EXPECT_TRUE(scene.keyframes.is_due(few, policy));
 }
 
+TEST(Keyframes, AreNearerTogetherWhileTheMapStarts) {
+  Scene scene(0);
+  const KeyframePolicy policy{.min_frames = 1, .min_motion_px = 1000, .min_start_motion_px = 2};
+  EXPECT_FALSE(scene.keyframes.is_due(scene.matches(0), policy));
+  EXPECT_TRUE(scene.keyframes.is_due(scene.matches(3), policy));
+  scene.keyframes.start(start, 1e-4 * Eigen::Matrix<double, 6, 6>::Identity(), 0);
+  for (const KeyframeMatch& match : scene.matches(0)) scene.keyframes.add_new(match, {});
+  EXPECT_FALSE(scene.keyframes.is_due(scene.matches(3), policy)) << "the first pose is no origin";
+}
+
 }  // namespace
 }  // namespace incognita::synthetic

@@ -23,9 +23,10 @@ const std::vector<Motion> motions = {{"forward", {0.4, 0, 0}, {0, 0, 0}},
                                      {"forward with a turn", {0.4, 0.1, 0}, {0.01, 0.15, -0.02}},
                                      {"backward", {-0.3, 0, 0.05}, {0, -0.05, 0.2}}};
 
-CameraState moved(const Motion& motion, double share) {
-  CameraState x = camera_at(share * motion.shift + Eigen::Vector3d(0, 0, 1), 0, share * motion.turn);
-  return x;
+/// `detour`: m, world, how far the camera is from the line half way.
+CameraState moved(const Motion& motion, double share, const Eigen::Vector3d& detour = {0, 0, 0}) {
+  const Eigen::Vector3d shift = share * motion.shift + 4 * share * (1 - share) * detour;
+  return camera_at(shift + Eigen::Vector3d(0, 0, 1), 0, share * motion.turn);
 }
 
 std::vector<Eigen::Vector3d> scattered_points(int count) {
@@ -37,7 +38,8 @@ std::vector<Eigen::Vector3d> scattered_points(int count) {
 }
 
 /// Views at `0, 1/steps, ... 1` of the motion as a wrong filter has them: all where the first is, all depths alike.
-Bundle wrong_bundle(const Motion& motion, int steps, double noise_px, int outliers) {
+Bundle wrong_bundle(const Motion& motion, int steps, double noise_px, int outliers,
+                    const Eigen::Vector3d& detour = {0, 0, 0}) {
   RandomStream random(5, "noise");
   Bundle bundle;
   for (int k = 0; k <= steps; ++k) bundle.views.push_back({first.head<3>(), first.segment<4>(3), k == 0});
@@ -51,7 +53,7 @@ Bundle wrong_bundle(const Motion& motion, int steps, double noise_px, int outlie
     point.value << ray->x(), ray->y(), 0.5;
     const int index = static_cast<int>(bundle.points.size());
     for (int k = 0; k <= steps; ++k) {
-      Eigen::Vector2d pixel = pixel_of(moved(motion, static_cast<double>(k) / steps), at);
+      Eigen::Vector2d pixel = pixel_of(moved(motion, static_cast<double>(k) / steps, detour), at);
       pixel += noise_px * Eigen::Vector2d(random.normal(), random.normal());
       if (k == steps && index < outliers) pixel += Eigen::Vector2d(30, -20);
       bundle.observations.push_back({k, index, pixel, 0.25 * Eigen::Matrix2d::Identity()});
@@ -110,6 +112,30 @@ TEST(TwoViewStart, LeadsAdjustmentToTheMinimum) {
     adjust(*start, camera, {.max_iterations = 20}, equations);
     expect_last_view(*start, motion, 0.05, 0.01);
   }
+}
+
+/// On the line between the first and the last, views are up to 30 px from their matches.
+TEST(TwoViewStart, FindsTheViewsBetweenWhereTheCameraMovedInABend) {
+  const Eigen::Vector3d detour(0, 0.1, 0.2);
+  const auto start = two_view_start(wrong_bundle(motions[1], 4, 0.1, 0, detour), camera);
+  ASSERT_TRUE(start);
+  const Eigen::Vector3d origin = first.head<3>();
+  const double scale = (start->views.back().position - origin).norm() / motions[1].shift.norm();
+  for (int k = 1; k < 4; ++k) {
+    const Eigen::Vector3d truth = moved(motions[1], k / 4.0, detour).head<3>() - first.head<3>();
+    const Eigen::Vector3d found = (start->views[static_cast<std::size_t>(k)].position - origin) / scale;
+    EXPECT_LT((found - truth).norm(), 0.02) << k;
+  }
+}
+
+TEST(TwoViewStart, LeavesViewsOnTheLineThatSeeTooFewOfThePoints) {
+  Bundle bundle = wrong_bundle(motions[1], 2, 0, 0, {0, 0, 0.2});
+  std::erase_if(bundle.observations,
+                [](const BundleObservation& seen) { return seen.view == 1 && seen.point >= 5; });
+  const auto start = two_view_start(bundle, camera);
+  ASSERT_TRUE(start);
+  EXPECT_LT((2 * start->views[1].position - start->views[0].position - start->views[2].position).norm(),
+            1e-12);
 }
 
 TEST(TwoViewStart, HasTheScaleOfThePriors) {

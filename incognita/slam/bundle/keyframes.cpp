@@ -16,8 +16,8 @@ constexpr int max_fixed_matches = 20;
 
 /// Keyframes after which the start is settled.
 constexpr int max_start_views = 10;
-/// Of the cost, below which another start is taken.
-constexpr double much_better = 0.5;
+/// By which another start must be more likely. Costs are half of sums of squares.
+constexpr double least_gain_nats = 10;
 
 /// Of a keyframe: fewer may not determine its pose, and the filter knows its motion.
 constexpr int least_matches = 8;
@@ -100,8 +100,9 @@ bool Keyframes::is_due(const std::vector<KeyframeMatch>& matches, const Keyframe
     squares += (match.pixel - known->second.seen.back().pixel).squaredNorm();
     ++moved;
   }
+  const double motion_px = is_starting() ? policy.min_start_motion_px : policy.min_motion_px;
   return moved == 0 || static_cast<double>(matches.size()) < policy.min_matched_share * in_last ||
-         squares > moved * policy.min_motion_px * policy.min_motion_px;
+         squares > moved * motion_px * motion_px;
 }
 
 void Keyframes::add(const Estimate& estimate, BlockId body, const std::vector<KeyframeMatch>& matches,
@@ -274,7 +275,7 @@ bool Keyframes::start_again(const Camera& camera, const AdjustmentSettings& sett
   std::optional<Bundle> other = two_view_start(bundle_, camera);
   if (!other) return false;
   const AdjustmentReport report = incognita::adjust(*other, camera, settings, equations_);
-  if (report.outcome == AdjustmentReport::Outcome::refused || report.last_cost > much_better * cost_)
+  if (report.outcome == AdjustmentReport::Outcome::refused || report.last_cost > cost_ - least_gain_nats)
     return false;
   bundle_ = *std::move(other);
   cost_ = report.last_cost;

@@ -23,10 +23,10 @@ struct KeyframeMatch {
 };
 
 /// When a frame becomes a keyframe: after `min_frames`, once the matched features moved by `min_motion_px` (rms) since the
-/// last keyframe, or none of its features is matched, or the matches are fewer than `min_matched_share` of its features.
+/// last keyframe (`min_start_motion_px` while the map is starting: a wrong start is found earlier), or none of its features is matched, or the matches are fewer than `min_matched_share` of its features.
 struct KeyframePolicy {
   int min_frames = 3;
-  double min_motion_px = 20;
+  double min_motion_px = 20, min_start_motion_px = 5;
   double min_matched_share = 0.8;
 };
 
@@ -55,7 +55,7 @@ class Keyframes {
   /// Whether the last keyframe is among the first ones since an origin.
   bool is_starting() const;
   /// For one of those: starts another adjustment from the relative pose of the first and the last
-  /// view. True if that fits the matches far better; the keyframes and points are then its own, and the belief is to be
+  /// view. True if that explains the matches far better; the keyframes and points are then its own, and the belief is to be
   /// renewed from them.
   bool start_again(const Camera& camera, const AdjustmentSettings& settings);
 

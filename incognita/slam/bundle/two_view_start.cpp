@@ -5,12 +5,14 @@
 #include <map>
 
 #include "incognita/math/median.hpp"
+#include "incognita/slam/bundle/adjust_bundle.hpp"
 #include "incognita/slam/bundle/relative_pose.hpp"
 
 namespace incognita {
 namespace {
 
 constexpr double tolerance_px = 1.5;
+constexpr int least_points = 8;                                         // that determine a view between
 constexpr double least_inlier_share = 0.6;                              // of the points in both views
 constexpr double least_share_of_median = 0.05, most_times_median = 20;  // inverse depths of points
 
@@ -19,6 +21,7 @@ struct SharedPoints {
   std::vector<Eigen::Vector3d> first, last;  ///< rays (x, y, 1)
   std::vector<double>
       pixel_sizes;  ///< of the last: how far a ray moves by a pixel, which depends on the lens
+  std::vector<double> inverse_depths;  ///< in the first view, 1/m
 };
 
 /// Points whose host is the first view and that the last view sees, too.
@@ -73,6 +76,46 @@ void put_on_rays(Bundle& bundle, const Camera& camera, double inverse_depth) {
   }
 }
 
+/// The shared points as known positions, with their matches in the views between the first and the last.
+Bundle with_known_points(const Bundle& bundle, const SharedPoints& shared) {
+  const BundleView& first = bundle.views.front();
+  const Eigen::Matrix3d world_from_first = rotation_matrix<double>(first.world_from_camera);
+  Bundle known;
+  known.views = bundle.views;
+  std::map<int, int> indices;
+  for (std::size_t i = 0; i < shared.points.size(); ++i) {
+    indices[shared.points[i]] = static_cast<int>(i);
+    known.points.push_back(
+        {.kind = BundlePoint::Kind::fixed,
+         .value = first.position + world_from_first * shared.first[i] / shared.inverse_depths[i]});
+  }
+  std::vector<std::vector<BundleObservation>> by_view(bundle.views.size());
+  for (const BundleObservation& seen : bundle.observations)
+    if (const auto point = indices.find(seen.point); point != indices.end())
+      by_view[static_cast<std::size_t>(seen.view)].push_back(
+          {seen.view, point->second, seen.pixel, seen.cov});
+  for (std::size_t i = 0; i < known.views.size(); ++i) {
+    BundleView& view = known.views[i];
+    view.fixed = i == 0 || i + 1 == known.views.size() || by_view[i].size() < least_points;
+    if (!view.fixed)
+      known.observations.insert(known.observations.end(), by_view[i].begin(), by_view[i].end());
+  }
+  std::ranges::stable_sort(known.observations, {}, &BundleObservation::point);
+  return known;
+}
+
+/// Views between the first and the last where the shared points are seen from: the camera need not have moved along a line.
+void fit_middle_views(Bundle& bundle, const Camera& camera, const SharedPoints& shared) {
+  Bundle known = with_known_points(bundle, shared);
+  if (known.observations.empty()) return;
+  BundleEquations equations;
+  adjust(known, camera, {}, equations);
+  for (std::size_t i = 0; i < known.views.size(); ++i) {
+    bundle.views[i].position = known.views[i].position;
+    bundle.views[i].world_from_camera = known.views[i].world_from_camera;
+  }
+}
+
 }  // namespace
 
 std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera) {
@@ -85,20 +128,22 @@ std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera) {
   const auto pose = relative_pose(shared.first, shared.last, tolerance_px * median(shared.pixel_sizes));
   if (!pose || pose->inliers < least_inlier_share * static_cast<double>(shared.points.size()))
     return std::nullopt;
-  std::vector<double> inverse_depths, priors;
+  std::vector<double> per_baseline, priors;
   for (std::size_t i = 0; i < shared.points.size(); ++i) {
-    inverse_depths.push_back(inverse_depth(*pose, shared.first[i], shared.last[i]));
+    per_baseline.push_back(inverse_depth(*pose, shared.first[i], shared.last[i]));
     priors.push_back(bundle.points[static_cast<std::size_t>(shared.points[i])].prior_inverse_depth);
   }
-  std::vector<double> sorted = inverse_depths;
-  const double per_baseline = median(sorted);
-  const double wanted = median(priors);
-  if (!(per_baseline > 0 && wanted > 0)) return std::nullopt;
-  place_views(bundle.views, *pose, per_baseline / wanted);
+  std::vector<double> sorted = per_baseline;
+  const double middle = median(sorted), wanted = median(priors);
+  if (!(middle > 0 && wanted > 0)) return std::nullopt;
+  for (const double rho : per_baseline)
+    shared.inverse_depths.push_back(wanted *
+                                    std::clamp(rho / middle, least_share_of_median, most_times_median));
+  place_views(bundle.views, *pose, middle / wanted);
+  fit_middle_views(bundle, camera, shared);
   put_on_rays(bundle, camera, wanted);
   for (std::size_t i = 0; i < shared.points.size(); ++i)
-    bundle.points[static_cast<std::size_t>(shared.points[i])].value[2] =
-        wanted * std::clamp(inverse_depths[i] / per_baseline, least_share_of_median, most_times_median);
+    bundle.points[static_cast<std::size_t>(shared.points[i])].value[2] = shared.inverse_depths[i];
   return bundle;
 }
 

@@ -329,8 +329,11 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
   for (const FeatureMatch& match : camera_.matches)
     if (match.outcome == MatchOutcome::matched)
       matches.push_back({match.id, *match.measured, match_cov(match, camera_)});
-  const KeyframePolicy policy{settings.min_frames, settings.min_motion_share * camera_.camera.width(),
-                              settings.min_matched_share};
+  const int width = camera_.camera.width();
+  const KeyframePolicy policy{.min_frames = settings.min_frames,
+                              .min_motion_px = settings.min_motion_share * width,
+                              .min_start_motion_px = settings.min_start_motion_share * width,
+                              .min_matched_share = settings.min_matched_share};
   if (!keyframes_.is_starting() && keyframes_.returning_count(matches) >= least_returning &&
       keyframes_.moved_px(estimate, camera_.view.camera, camera_.camera) > most_moved_px) {
     keyframes_.start(camera_.view.camera, pose_cov(estimate), estimate.bodies[camera_.body].t);

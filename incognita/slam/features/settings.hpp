@@ -214,6 +214,7 @@ struct BundleSettings {
   int window = 15;
   int min_frames = 1;
   double min_motion_share = 0.03;
+  double min_start_motion_share = 0.0075;
   double min_matched_share = 0.8;
   int max_iterations = 5;
   double limit_sigmas = 3;
@@ -232,6 +233,9 @@ struct BundleSettings {
         &S::min_motion_share, "min_motion_share", "", between(0, 1),
         "Rms motion of the matched features since the last keyframe, as a share of the image width, from which a "
         "frame becomes a keyframe");
+    setting(
+        &S::min_start_motion_share, "min_start_motion_share", "", between(0, 1),
+        "The same for the first ten keyframes of a map without known points: a wrong start is found earlier");
     setting(&S::min_matched_share, "min_matched_share", "", between(0, 1),
             "Share of the features of the last keyframe below which a frame becomes a keyframe");
     setting(&S::max_iterations, "max_iterations", "", between(1, 1000), "Iterations per adjustment");

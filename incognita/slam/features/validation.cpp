@@ -88,6 +88,8 @@ void validate(const BundleSettings& s) {
   need_at_least("bundle.min_frames", s.min_frames, 1, "1 or more");
   need(s.min_motion_share >= 0 && s.min_motion_share <= 1, "bundle.min_motion_share", s.min_motion_share,
        "0 to 1");
+  need(s.min_start_motion_share >= 0 && s.min_start_motion_share <= 1, "bundle.min_start_motion_share",
+       s.min_start_motion_share, "0 to 1");
   need(s.min_matched_share >= 0 && s.min_matched_share <= 1, "bundle.min_matched_share", s.min_matched_share,
        "0 to 1");
   need_at_least("bundle.max_iterations", s.max_iterations, 1, "1 or more");

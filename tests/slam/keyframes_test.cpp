@@ -44,6 +44,12 @@ struct Scene {
     for (const KeyframeMatch& match : matches(0)) keyframes.add_new(match, {});
   }
 
+  /// Keyframes whose first pose is no origin.
+  void begin_in_the_middle() {
+    keyframes.start(start, 1e-4 * Eigen::Matrix<double, 6, 6>::Identity(), 0);
+    for (const KeyframeMatch& match : matches(0)) keyframes.add_new(match, {});
+  }
+
   std::vector<KeyframeMatch> matches(int keyframe) const {
     std::vector<KeyframeMatch> out;
     for (int i = 0; i < points; ++i)
@@ -52,9 +58,9 @@ struct Scene {
     return out;
   }
 
-  /// Adds keyframes 1 to `count`, each with a wrong pose, and adjusts after each.
-  void run(int count, int window, double error_m) {
-    for (int k = 1; k <= count; ++k) {
+  /// Adds keyframes up to `last`, each with a wrong pose, and adjusts after each.
+  void run(int last, int window, double error_m) {
+    for (int k = keyframes.view_count(); k <= last; ++k) {
       CameraState wrong = pose_at(k);
       wrong.head<3>() += error_m * Eigen::Vector3d(1, -1, 0.5);
       t.move_to(wrong);
@@ -177,7 +183,7 @@ TEST(Keyframes, AreNoStartAfterTheyBeganInTheMiddle) {
   Scene scene(0);
   scene.run(1, 15, 0);
   EXPECT_TRUE(scene.keyframes.is_starting());
-  scene.keyframes.start(pose_at(1), 1e-4 * Eigen::Matrix<double, 6, 6>::Identity(), 0);
+  scene.begin_in_the_middle();
   EXPECT_FALSE(scene.keyframes.is_starting());
 }
 
@@ -252,7 +258,9 @@ TEST(Keyframes, CountLandmarksThatReturnFromBeforeTheWindow) {
 
 TEST(Keyframes, AreDueAfterMotionOrLostMatches) {
   Scene scene(0);
-  const KeyframePolicy policy{.min_frames = 2, .min_motion_px = 5, .min_matched_share = 0.8};
+  scene.begin_in_the_middle();
+  const KeyframePolicy policy{
+      .min_frames = 2, .min_motion_px = 5, .min_start_motion_px = 0, .min_matched_share = 0.8};
   EXPECT_FALSE(scene.keyframes.is_due(scene.matches(3), policy)) << "too early";
   EXPECT_FALSE(scene.keyframes.is_due(scene.matches(0), policy)) << "nothing moved";
   EXPECT_TRUE(scene.keyframes.is_due(scene.matches(3), policy));
@@ -261,14 +269,24 @@ TEST(Keyframes, AreDueAfterMotionOrLostMatches) {
   EXPECT_TRUE(scene.keyframes.is_due(few, policy));
 }
 
+/// By 4 to 10 px from one keyframe to the next.
 TEST(Keyframes, AreNearerTogetherWhileTheMapStarts) {
   Scene scene(0);
-  const KeyframePolicy policy{.min_frames = 1, .min_motion_px = 1000, .min_start_motion_px = 2};
-  EXPECT_FALSE(scene.keyframes.is_due(scene.matches(0), policy));
-  EXPECT_TRUE(scene.keyframes.is_due(scene.matches(3), policy));
-  scene.keyframes.start(start, 1e-4 * Eigen::Matrix<double, 6, 6>::Identity(), 0);
-  for (const KeyframeMatch& match : scene.matches(0)) scene.keyframes.add_new(match, {});
-  EXPECT_FALSE(scene.keyframes.is_due(scene.matches(3), policy)) << "the first pose is no origin";
+  const auto is_due = [&](int keyframe, double start_px, double px) {
+    return scene.keyframes.is_due(scene.matches(keyframe),
+                                  {.min_frames = 1, .min_motion_px = px, .min_start_motion_px = start_px});
+  };
+  EXPECT_FALSE(is_due(0, 3, 1000));
+  EXPECT_TRUE(is_due(1, 3, 1000));
+  EXPECT_FALSE(is_due(1, 20, 1000));
+  EXPECT_TRUE(is_due(1, 20, 3)) << "never farther apart than later";
+  scene.run(5, 15, 0);
+  EXPECT_FALSE(is_due(6, 3, 1000)) << "6 times 3 px by now";
+  EXPECT_TRUE(is_due(6, 0.5, 1000));
+  scene.run(10, 15, 0);
+  EXPECT_FALSE(is_due(11, 0.5, 1000)) << "started";
+  scene.begin_in_the_middle();
+  EXPECT_FALSE(is_due(3, 0.5, 1000)) << "the first pose is no origin";
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ constexpr int max_fixed_matches = 20;
 
 /// Keyframes after which the start is settled.
 constexpr int max_start_views = 10;
-/// By which another start must be more likely. Costs are half of sums of squares.
-constexpr double least_gain_nats = 10;
+/// Of the cost, below which another start is taken.
+constexpr double much_better = 0.5;
 
 /// Of a keyframe: fewer may not determine its pose, and the filter knows its motion.
 constexpr int least_matches = 8;
@@ -100,7 +100,9 @@ bool Keyframes::is_due(const std::vector<KeyframeMatch>& matches, const Keyframe
     squares += (match.pixel - known->second.seen.back().pixel).squaredNorm();
     ++moved;
   }
-  const double motion_px = is_starting() ? policy.min_start_motion_px : policy.min_motion_px;
+  const double motion_px = is_starting()
+                               ? std::min(view_count() * policy.min_start_motion_px, policy.min_motion_px)
+                               : policy.min_motion_px;
   return moved == 0 || static_cast<double>(matches.size()) < policy.min_matched_share * in_last ||
          squares > moved * motion_px * motion_px;
 }
@@ -118,7 +120,8 @@ void Keyframes::add_matches(const Estimate& estimate, BlockId body,
                             const std::vector<KeyframeMatch>& matches) {
   for (const KeyframeMatch& match : matches) {
     Track& track = tracks_[match.id];
-    if (const Landmark& landmark = estimate.landmarks.at(match.id); track.seen.empty() && !landmark.fixed)
+    const Landmark& landmark = estimate.landmarks.at(match.id);
+    if (track.seen.empty() && !landmark.fixed && !is_starting())
       if (const auto point = point_in_view(landmark, estimate.belief, last_view()))
         track.prior = DepthPrior{point->z(), sigma_inverse_depth_in_view(landmark, estimate.belief, body)};
     track.seen.push_back({last(), match.pixel, match.cov});
@@ -272,10 +275,10 @@ bool Keyframes::start_again(const Camera& camera, const AdjustmentSettings& sett
   if (!is_starting()) return false;
   // Two views fit nearly any depths, and noise alone costs half of the rows
   if (view_count() < 3 && cost_ < static_cast<double>(bundle_.observations.size())) return false;
-  std::optional<Bundle> other = two_view_start(bundle_, camera);
+  std::optional<Bundle> other = two_view_start(bundle_, camera, settings);
   if (!other) return false;
   const AdjustmentReport report = incognita::adjust(*other, camera, settings, equations_);
-  if (report.outcome == AdjustmentReport::Outcome::refused || report.last_cost > cost_ - least_gain_nats)
+  if (report.outcome == AdjustmentReport::Outcome::refused || report.last_cost > much_better * cost_)
     return false;
   bundle_ = *std::move(other);
   cost_ = report.last_cost;

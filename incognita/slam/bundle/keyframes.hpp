@@ -23,10 +23,13 @@ struct KeyframeMatch {
 };
 
 /// When a frame becomes a keyframe: after `min_frames`, once the matched features moved by `min_motion_px` (rms) since the
-/// last keyframe (`min_start_motion_px` while the map is starting: a wrong start is found earlier), or none of its features is matched, or the matches are fewer than `min_matched_share` of its features.
+/// last keyframe, or none of its features is matched, or the matches are fewer than `min_matched_share` of its features. The first
+/// keyframes after an origin are nearer together, so that a wrong start is found earlier: the n-th after n times
+/// `min_start_motion_px`, if that is less.
 struct KeyframePolicy {
   int min_frames = 3;
-  double min_motion_px = 20, min_start_motion_px = 5;
+  double min_motion_px = 20;
+  double min_start_motion_px = 5;
   double min_matched_share = 0.8;
 };
 
@@ -39,7 +42,7 @@ class Keyframes {
   /// Counts a frame with these matches.
   bool is_due(const std::vector<KeyframeMatch>& matches, const KeyframePolicy& policy);
   /// Adds the pose of the free camera `body` at time `t`, s. The prior of a landmark that began in no keyframe is what the belief
-  /// knows of its depth.
+  /// knows of its depth; while the map starts, that may be wrong, and the prior is that given to adjust().
   void add(const Estimate& estimate, BlockId body, const std::vector<KeyframeMatch>& matches, double t);
   /// Adds matches to the last keyframe, which is the current pose of that body.
   void add_matches(const Estimate& estimate, BlockId body, const std::vector<KeyframeMatch>& matches);
@@ -55,7 +58,7 @@ class Keyframes {
   /// Whether the last keyframe is among the first ones since an origin.
   bool is_starting() const;
   /// For one of those: starts another adjustment from the relative pose of the first and the last
-  /// view. True if that explains the matches far better; the keyframes and points are then its own, and the belief is to be
+  /// view. True if that fits the matches far better; the keyframes and points are then its own, and the belief is to be
   /// renewed from them.
   bool start_again(const Camera& camera, const AdjustmentSettings& settings);
 

@@ -29,8 +29,8 @@ std::optional<RelativePose> relative_pose(const std::vector<Eigen::Vector3d>& fi
   const cv::Mat E = cv::findEssentialMat(a, b, identity, cv::RANSAC, confidence, tolerance, inliers);
   if (E.rows != 3 || E.cols != 3) return std::nullopt;
   RelativePose pose;
-  pose.inliers = cv::recoverPose(E, a, b, identity, R, t, most_distant, inliers);
-  if (pose.inliers == 0) return std::nullopt;
+  if (cv::recoverPose(E, a, b, identity, R, t, most_distant, inliers) == 0) return std::nullopt;
+  for (int i = 0; i < static_cast<int>(a.size()); ++i) pose.is_inlier.push_back(inliers.at<uchar>(i) != 0);
   Eigen::Matrix3d second_from_first;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) second_from_first(i, j) = R.at<double>(i, j);

@@ -11,7 +11,7 @@ namespace incognita {
 struct RelativePose {
   Eigen::Vector4d first_from_second{1, 0, 0, 0};  ///< unit quaternion w, x, y, z
   Eigen::Vector3d direction{0, 0, 1};  ///< from the first to the second camera, first axes, unit length
-  int inliers = 0;
+  std::vector<bool> is_inlier;         ///< of each ray: near its epipolar line, and in front of both cameras
 };
 
 /// `first`, `second`: rays (x, y, 1) of the same points. `tolerance`: distance from the epipolar line, in the units of x and y.

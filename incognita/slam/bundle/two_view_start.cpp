@@ -22,6 +22,7 @@ struct SharedPoints {
   std::vector<double>
       pixel_sizes;  ///< of the last: how far a ray moves by a pixel, which depends on the lens
   std::vector<double> inverse_depths;  ///< in the first view, 1/m
+  std::vector<bool> is_known;  ///< neither an outlier nor too near or far for its inverse depth to be right
 };
 
 /// Points whose host is the first view and that the last view sees, too.
@@ -76,49 +77,44 @@ void put_on_rays(Bundle& bundle, const Camera& camera, double inverse_depth) {
   }
 }
 
-/// The shared points as known positions, with their matches in the views between the first and the last.
-Bundle with_known_points(const Bundle& bundle, const SharedPoints& shared) {
+/// The bundle of one view and the shared points as known positions. Nothing if too few are seen from there.
+std::optional<Bundle> resection(const Bundle& bundle, const SharedPoints& shared, int view) {
   const BundleView& first = bundle.views.front();
   const Eigen::Matrix3d world_from_first = rotation_matrix<double>(first.world_from_camera);
-  Bundle known;
-  known.views = bundle.views;
-  std::map<int, int> indices;
-  for (std::size_t i = 0; i < shared.points.size(); ++i) {
-    indices[shared.points[i]] = static_cast<int>(i);
-    known.points.push_back(
+  Bundle one;
+  one.views = {first, bundle.views[static_cast<std::size_t>(view)]};
+  one.views[0].fixed = true;
+  for (const BundleObservation& seen : bundle.observations) {
+    if (seen.view != view) continue;
+    const auto point = std::ranges::find(shared.points, seen.point);
+    const auto i = static_cast<std::size_t>(std::distance(shared.points.begin(), point));
+    if (point == shared.points.end() || !shared.is_known[i]) continue;
+    one.observations.push_back({1, static_cast<int>(one.points.size()), seen.pixel, seen.cov});
+    one.points.push_back(
         {.kind = BundlePoint::Kind::fixed,
          .value = first.position + world_from_first * shared.first[i] / shared.inverse_depths[i]});
   }
-  std::vector<std::vector<BundleObservation>> by_view(bundle.views.size());
-  for (const BundleObservation& seen : bundle.observations)
-    if (const auto point = indices.find(seen.point); point != indices.end())
-      by_view[static_cast<std::size_t>(seen.view)].push_back(
-          {seen.view, point->second, seen.pixel, seen.cov});
-  for (std::size_t i = 0; i < known.views.size(); ++i) {
-    BundleView& view = known.views[i];
-    view.fixed = i == 0 || i + 1 == known.views.size() || by_view[i].size() < least_points;
-    if (!view.fixed)
-      known.observations.insert(known.observations.end(), by_view[i].begin(), by_view[i].end());
-  }
-  std::ranges::stable_sort(known.observations, {}, &BundleObservation::point);
-  return known;
+  if (one.points.size() < least_points) return std::nullopt;
+  return one;
 }
 
-/// Views between the first and the last where the shared points are seen from: the camera need not have moved along a line.
-void fit_middle_views(Bundle& bundle, const Camera& camera, const SharedPoints& shared) {
-  Bundle known = with_known_points(bundle, shared);
-  if (known.observations.empty()) return;
+/// Views between the first and the last where they see the shared points from: the camera need not have moved along a line.
+void fit_middle_views(Bundle& bundle, const Camera& camera, const SharedPoints& shared,
+                      const AdjustmentSettings& settings) {
   BundleEquations equations;
-  adjust(known, camera, {}, equations);
-  for (std::size_t i = 0; i < known.views.size(); ++i) {
-    bundle.views[i].position = known.views[i].position;
-    bundle.views[i].world_from_camera = known.views[i].world_from_camera;
+  for (int view = 1; view + 1 < static_cast<int>(bundle.views.size()); ++view) {
+    std::optional<Bundle> one = resection(bundle, shared, view);
+    if (!one) continue;
+    adjust(*one, camera, settings, equations);
+    one->views[1].fixed = bundle.views[static_cast<std::size_t>(view)].fixed;
+    bundle.views[static_cast<std::size_t>(view)] = one->views[1];
   }
 }
 
 }  // namespace
 
-std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera) {
+std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera,
+                                     const AdjustmentSettings& settings) {
   if (std::ranges::any_of(bundle.points, [](const BundlePoint& point) {
         return point.kind != BundlePoint::Kind::inverse_depth;
       }))
@@ -126,7 +122,8 @@ std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera) {
   SharedPoints shared = shared_points(bundle, camera);
   if (shared.pixel_sizes.empty()) return std::nullopt;
   const auto pose = relative_pose(shared.first, shared.last, tolerance_px * median(shared.pixel_sizes));
-  if (!pose || pose->inliers < least_inlier_share * static_cast<double>(shared.points.size()))
+  if (!pose || static_cast<double>(std::ranges::count(pose->is_inlier, true)) <
+                   least_inlier_share * static_cast<double>(shared.points.size()))
     return std::nullopt;
   std::vector<double> per_baseline, priors;
   for (std::size_t i = 0; i < shared.points.size(); ++i) {
@@ -136,11 +133,14 @@ std::optional<Bundle> two_view_start(Bundle bundle, const Camera& camera) {
   std::vector<double> sorted = per_baseline;
   const double middle = median(sorted), wanted = median(priors);
   if (!(middle > 0 && wanted > 0)) return std::nullopt;
-  for (const double rho : per_baseline)
-    shared.inverse_depths.push_back(wanted *
-                                    std::clamp(rho / middle, least_share_of_median, most_times_median));
+  for (std::size_t i = 0; i < shared.points.size(); ++i) {
+    const double ratio = per_baseline[i] / middle;
+    shared.inverse_depths.push_back(wanted * std::clamp(ratio, least_share_of_median, most_times_median));
+    shared.is_known.push_back(pose->is_inlier[i] && ratio > least_share_of_median &&
+                              ratio < most_times_median);
+  }
   place_views(bundle.views, *pose, middle / wanted);
-  fit_middle_views(bundle, camera, shared);
+  fit_middle_views(bundle, camera, shared, settings);
   put_on_rays(bundle, camera, wanted);
   for (std::size_t i = 0; i < shared.points.size(); ++i)
     bundle.points[static_cast<std::size_t>(shared.points[i])].value[2] = shared.inverse_depths[i];

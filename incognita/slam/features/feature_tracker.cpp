@@ -28,6 +28,8 @@ namespace {
 /// of before. Otherwise the filter drifted along directions that are not observable, and the keyframes are right.
 constexpr double most_moved_px = 10;
 constexpr int least_returning = 5;
+/// Of the pixel noise: what makes a keyframe is motion.
+constexpr double least_motion_sigmas = 3;
 
 void check_size(const Image& image, const Camera& camera) {
   if (image.width() != camera.width() || image.height() != camera.height())
@@ -330,10 +332,12 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
     if (match.outcome == MatchOutcome::matched)
       matches.push_back({match.id, *match.measured, match_cov(match, camera_)});
   const int width = camera_.camera.width();
-  const KeyframePolicy policy{.min_frames = settings.min_frames,
-                              .min_motion_px = settings.min_motion_share * width,
-                              .min_start_motion_px = settings.min_start_motion_share * width,
-                              .min_matched_share = settings.min_matched_share};
+  const KeyframePolicy policy{
+      .min_frames = settings.min_frames,
+      .min_motion_px = settings.min_motion_share * width,
+      .min_start_motion_px = std::max(settings.min_start_motion_share * width,
+                                      least_motion_sigmas * std::sqrt(camera_.pixel_var())),
+      .min_matched_share = settings.min_matched_share};
   if (!keyframes_.is_starting() && keyframes_.returning_count(matches) >= least_returning &&
       keyframes_.moved_px(estimate, camera_.view.camera, camera_.camera) > most_moved_px) {
     keyframes_.start(camera_.view.camera, pose_cov(estimate), estimate.bodies[camera_.body].t);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "incognita/analysis/evaluation/trajectory.hpp"
@@ -189,7 +190,8 @@ double ate_m(const Trajectory& estimate, const Trajectory& truth) {
   return alignment ? absolute_trajectory_error({aligned(estimate, *alignment), truth}).rmse : std::nan("");
 }
 
-/// From a free start at the default settings. Without another start of the map the errors are 0.8 to 1.9 m, median 1.1 m.
+/// From a free start at the default settings. Without another start of the map the errors are 0.8 to 1.9 m, and with first
+/// keyframes as far apart as later ones 0.2 to 0.8 m.
 TEST_F(RoomMotion, OfACarIsTrackedFromTheFirstImage) {
   scratch_.write("hand.tum", driving());
   std::vector<double> errors_m, adjusted_errors_m;
@@ -208,7 +210,7 @@ TEST_F(RoomMotion, OfACarIsTrackedFromTheFirstImage) {
     errors_m.push_back(ate_m(estimate, truth));
     adjusted_errors_m.push_back(ate_m(path.trajectory(), truth));
   }
-  EXPECT_LT(statistics(errors_m).median, 0.6) << "of 25 m";
+  EXPECT_LT(std::ranges::max(errors_m), 0.6) << "of 25 m";
   EXPECT_LT(statistics(adjusted_errors_m).median, statistics(errors_m).median);
 }
 

@@ -14,10 +14,11 @@ namespace {
 /// Matches of a landmark in fixed keyframes that are kept: its first, and the last of them.
 constexpr int max_fixed_matches = 20;
 
-/// Keyframes after which the start is settled.
-constexpr int max_start_views = 10;
-/// Of the cost, below which another start is taken.
-constexpr double much_better = 0.5;
+/// Keyframes after which the start is settled, and those of them that are near together: a turn alone may use these up.
+constexpr int max_start_views = 15, max_near_views = 10;
+/// Of the cost, below which another start is taken, if both are at their minima: these take more iterations.
+constexpr double better_share = 0.9;
+constexpr int times_iterations = 4;
 
 /// Of a keyframe: fewer may not determine its pose, and the filter knows its motion.
 constexpr int least_matches = 8;
@@ -100,9 +101,9 @@ bool Keyframes::is_due(const std::vector<KeyframeMatch>& matches, const Keyframe
     squares += (match.pixel - known->second.seen.back().pixel).squaredNorm();
     ++moved;
   }
-  const double motion_px = is_starting()
-                               ? std::min(view_count() * policy.min_start_motion_px, policy.min_motion_px)
-                               : policy.min_motion_px;
+  const bool is_near = is_starting() && last() < max_near_views;
+  const double motion_px =
+      is_near ? std::min(policy.min_start_motion_px, policy.min_motion_px) : policy.min_motion_px;
   return moved == 0 || static_cast<double>(matches.size()) < policy.min_matched_share * in_last ||
          squares > moved * motion_px * motion_px;
 }
@@ -277,9 +278,15 @@ bool Keyframes::start_again(const Camera& camera, const AdjustmentSettings& sett
   if (view_count() < 3 && cost_ < static_cast<double>(bundle_.observations.size())) return false;
   std::optional<Bundle> other = two_view_start(bundle_, camera, settings);
   if (!other) return false;
-  const AdjustmentReport report = incognita::adjust(*other, camera, settings, equations_);
-  if (report.outcome == AdjustmentReport::Outcome::refused || report.last_cost > much_better * cost_)
-    return false;
+  AdjustmentSettings thorough = settings;
+  thorough.max_iterations *= times_iterations;
+  const AdjustmentReport report = incognita::adjust(*other, camera, thorough, equations_);
+  const auto is_better_than = [&](double cost) {
+    return report.outcome != AdjustmentReport::Outcome::refused && report.last_cost < better_share * cost;
+  };
+  if (!is_better_than(cost_)) return false;
+  Bundle same = bundle_;
+  if (!is_better_than(incognita::adjust(same, camera, thorough, equations_).last_cost)) return false;
   bundle_ = *std::move(other);
   cost_ = report.last_cost;
   take_bundle();

@@ -24,8 +24,7 @@ struct KeyframeMatch {
 
 /// When a frame becomes a keyframe: after `min_frames`, once the matched features moved by `min_motion_px` (rms) since the
 /// last keyframe, or none of its features is matched, or the matches are fewer than `min_matched_share` of its features. The first
-/// keyframes after an origin are nearer together, so that a wrong start is found earlier: the n-th after n times
-/// `min_start_motion_px`, if that is less.
+/// keyframes after an origin are nearer together, if `min_start_motion_px` is less: a wrong start is found earlier.
 struct KeyframePolicy {
   int min_frames = 3;
   double min_motion_px = 20;
@@ -58,7 +57,7 @@ class Keyframes {
   /// Whether the last keyframe is among the first ones since an origin.
   bool is_starting() const;
   /// For one of those: starts another adjustment from the relative pose of the first and the last
-  /// view. True if that fits the matches far better; the keyframes and points are then its own, and the belief is to be
+  /// view. True if that fits the matches better; the keyframes and points are then its own, and the belief is to be
   /// renewed from them.
   bool start_again(const Camera& camera, const AdjustmentSettings& settings);
 

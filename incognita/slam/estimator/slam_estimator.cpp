@@ -277,6 +277,28 @@ void SlamEstimator::search_features_after_jump(Estimate& e, StageClock& stage) {
   search_features(e, stage);
 }
 
+/// A jolt moves a camera by more than its motion model allows, and the whole image shows the turn only. If few features are found,
+/// searches again with a translation that is as uncertain as after a jolt; half of the features must then be found.
+void SlamEstimator::search_features_after_jolt(Estimate& e, StageClock& stage) {
+  constexpr double sigma_depths = 0.02, sigma_rad = 0.01, least_share = 0.5;
+  if (cameras_.size() != 1) return;
+  FeatureTracker& camera = cameras_.front();
+  const TrackedCamera& seen = camera.camera();
+  const double dt = e.bodies[seen.body].t - camera.last_image_t();
+  if (bodies_[seen.body].was_lost || seen.mount || !(dt > 0) ||
+      camera.matched() >= settings_.health.min_matched_share * seen.predicted)
+    return;
+  AnyBelief before = e.belief;
+  add_jump(e, seen.body, Eigen::Vector3d::Zero(), sigma_depths * seen.median_depth_m, sigma_rad, dt);
+  predict_features(e, camera);
+  stage.mark("predict");
+  search_features(e, stage);
+  if (camera.matched() >= least_share * seen.predicted) return;
+  e.belief = std::move(before);
+  predict_features(e, camera);
+  search_features(e, stage);
+}
+
 void SlamEstimator::match_images(Estimate& e, StageClock& stage) {
   jumps_.clear();
   for (FeatureTracker& camera : cameras_) {
@@ -288,6 +310,7 @@ void SlamEstimator::match_images(Estimate& e, StageClock& stage) {
     search_features_after_jump(e, stage);
   else
     search_features(e, stage);
+  search_features_after_jolt(e, stage);
   discard_few_matches();
   for (FeatureTracker& camera : cameras_)
     if (bodies_[camera.camera().body].was_lost && searches_whole_map(camera)) find_in_map(e, camera);

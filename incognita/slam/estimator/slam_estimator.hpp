@@ -53,6 +53,7 @@ class SlamEstimator final : public Estimator {
   std::optional<Eigen::Vector3d> jump_of(const Estimate& estimate, const FeatureTracker& camera) const;
   void search_features(Estimate& estimate, StageClock& stage);
   void add_jumps(Estimate& estimate);
+  void search_features_after_jolt(Estimate& estimate, StageClock& stage);
   void search_features_after_jump(Estimate& estimate, StageClock& stage);
   void match_images(Estimate& estimate, StageClock& stage);
   void discard_few_matches();

@@ -277,8 +277,8 @@ void SlamEstimator::search_features_after_jump(Estimate& e, StageClock& stage) {
   search_features(e, stage);
 }
 
-/// A jolt moves a camera by more than its motion model allows, and the whole image shows the turn only. If few features are found,
-/// searches again with a translation that is as uncertain as after a jolt; half of the features must then be found.
+/// A jolt moves a camera by more than its motion model allows, and the whole image shows the turn only. If few features of the
+/// only camera are found, searches again with an uncertain translation; half of the features must then be found, or all is as before.
 void SlamEstimator::search_features_after_jolt(Estimate& e, StageClock& stage) {
   constexpr double sigma_depths = 0.02, sigma_rad = 0.01, least_share = 0.5;
   if (cameras_.size() != 1) return;
@@ -288,15 +288,15 @@ void SlamEstimator::search_features_after_jolt(Estimate& e, StageClock& stage) {
   if (bodies_[seen.body].was_lost || seen.mount || !(dt > 0) ||
       camera.matched() >= settings_.health.min_matched_share * seen.predicted)
     return;
-  AnyBelief before = e.belief;
+  AnyBelief belief_before = e.belief;
+  FeatureTracker camera_before = camera;
   add_jump(e, seen.body, Eigen::Vector3d::Zero(), sigma_depths * seen.median_depth_m, sigma_rad, dt);
   predict_features(e, camera);
   stage.mark("predict");
   search_features(e, stage);
   if (camera.matched() >= least_share * seen.predicted) return;
-  e.belief = std::move(before);
-  predict_features(e, camera);
-  search_features(e, stage);
+  e.belief = std::move(belief_before);
+  camera = std::move(camera_before);
 }
 
 void SlamEstimator::match_images(Estimate& e, StageClock& stage) {

@@ -1,7 +1,6 @@
-// The pixel noise follows the residuals of the matches, and a jump of the camera widens its prediction.
+// The pixel noise follows the residuals of the matches.
 #include "incognita/slam/features/pixel_noise.hpp"
 
-#include "incognita/slam/mapper/prediction.hpp"
 #include "tests/slam/synthetic_scene.hpp"
 
 namespace incognita::synthetic {
@@ -71,25 +70,6 @@ TEST(PixelNoise, StaysWithFewMatches) {
   Tracking t(camera_at({0, 0, 1}), 1e-4 * CameraCov::Identity());
   PixelNoise().update(t.estimate, t.tracked);
   EXPECT_FALSE(t.tracked.sigma_pixel_px);
-}
-
-TEST(Jump, TurnsTheCameraAndNotItsRate) {
-  CameraState x = camera_at({0, 0, 1});
-  x.tail<3>() << 0.1, 0.2, 0.3;
-  Estimate e = estimate_at(x, 1e-6 * CameraCov::Identity());
-  const Eigen::Vector3d turn(0.01, -0.02, 0.03);
-  add_jump(e, 0, turn, 0.05, 0.04, 0.1);
-  const CameraState after = e.belief.mean(e.body().block);
-  Eigen::Matrix<double, 12, 1> moved;
-  FreeCameraMotion::chart.minus({after.data(), 13}, {x.data(), 13}, {moved.data(), 12});
-  EXPECT_LT((moved.segment<3>(3) - turn).norm(), 1e-9);
-  EXPECT_LT(moved.head<3>().norm() + moved.tail<6>().norm(), 1e-12);
-  const Eigen::MatrixXd P = e.belief.covariance(e.body().block);
-  EXPECT_NEAR(P(0, 0), 1e-6 + 0.05 * 0.05, 1e-12);
-  EXPECT_NEAR(P(4, 4), 1e-6 + 0.04 * 0.04, 1e-12);
-  EXPECT_NEAR(P(7, 7), 1e-6 + 0.5 * 0.5, 1e-12);
-  EXPECT_NEAR(P(10, 10), 1e-6 + 0.4 * 0.4, 1e-12);
-  EXPECT_EQ(P(0, 6), 0);
 }
 
 }  // namespace

@@ -213,104 +213,83 @@ void SlamEstimator::predict_features(Estimate& e, FeatureTracker& camera) {
   camera.predict(e, motion_of(camera));
 }
 
-/// The rotation, rad in camera axes, of a camera that moves freely and turned by more than its motion model allows.
-std::optional<Eigen::Vector3d> SlamEstimator::jump_of(const Estimate& e, const FeatureTracker& camera) const {
-  const std::size_t body = camera.camera().body;
-  if (bodies_[body].was_lost || camera.camera().mount || !(e.bodies[body].t > camera.last_image_t()))
-    return std::nullopt;
-  return camera.unexpected_turn();
-}
-
-/// Finds the features in the images. Of a lost body only enough matches count, since few may be false.
-void SlamEstimator::search_features(Estimate& e, StageClock& stage) {
-  for (FeatureTracker& camera : cameras_) camera.search();
+/// Finds the features in the image. Of a lost body only enough matches count, since few may be false.
+void SlamEstimator::search_features(const Estimate& e, FeatureTracker& camera, StageClock& stage) {
+  camera.search();
   stage.mark("search");
-  for (FeatureTracker& camera : cameras_) camera.add_plane_uncertainty();
+  camera.add_plane_uncertainty();
   stage.mark("planes");
-  for (FeatureTracker& camera : cameras_) {
-    camera.reject_outliers(e);
-    const int enough =
-        std::min(settings_.health.min_matches_to_relocate, camera.camera().most_measurements());
-    if (bodies_[camera.camera().body].was_lost && camera.matched() < enough) camera.discard_matches();
-  }
+  camera.reject_outliers(e);
+  const int enough = std::min(settings_.health.min_matches_to_relocate, camera.camera().most_measurements());
+  if (bodies_[camera.camera().body].was_lost && camera.matched() < enough) camera.discard_matches();
   stage.mark("consensus");
 }
 
-/// Turns cameras that jumped by as much as their whole images did, with an uncertainty of that size; part of it may be
-/// translation.
-void SlamEstimator::add_jumps(Estimate& e) {
-  constexpr double translation_share = 0.5;  // of the image motion, in standard deviations of the turn
-  for (std::size_t k = 0; k < cameras_.size(); ++k) {
-    if (!jumps_[k]) continue;
-    const TrackedCamera& camera = cameras_[k].camera();
-    const double rad = jumps_[k]->norm();
-    add_jump(e, camera.body, *jumps_[k], translation_share * rad * camera.median_depth_m, rad,
-             e.bodies[camera.body].t - cameras_[k].last_image_t());
-  }
+/// Whether this camera alone tells how its body moved, and the body is free to do so.
+bool SlamEstimator::may_jump(const Estimate& e, const FeatureTracker& camera) const {
+  const std::size_t body = camera.camera().body;
+  const auto cameras =
+      std::ranges::count_if(cameras_, [&](const FeatureTracker& c) { return c.camera().body == body; });
+  return cameras == 1 && !camera.camera().mount && !bodies_[body].was_lost &&
+         e.bodies[body].t > camera.last_image_t();
 }
 
-/// Jumps follow from the alignment of whole images, which may be wrong, by a shadow for example. Searches without them and
-/// then with them, and leaves them out if more features, and enough to track, are found without.
-void SlamEstimator::search_features_after_jump(Estimate& e, StageClock& stage) {
-  const auto matched = [&] {
-    search_features(e, stage);
-    return std::transform_reduce(cameras_.begin(), cameras_.end(), 0, std::plus(),
-                                 [](const FeatureTracker& camera) { return camera.matched(); });
-  };
-  const auto without_alignment = [&] {
-    for (std::size_t k = 0; k < cameras_.size(); ++k)
-      if (jumps_[k]) cameras_[k].forget_alignment();
-  };
-  without_alignment();
-  const int without = matched();
-  int searched = 0;
-  for (const FeatureTracker& camera : cameras_) searched += camera.camera().predicted;
-  AnyBelief before = e.belief;
-  add_jumps(e);
-  for (FeatureTracker& camera : cameras_) predict_features(e, camera);
-  stage.mark("predict");
-  if (matched() >= without || without < settings_.health.min_matched_share * searched) return;
-  e.belief = std::move(before);
-  for (FeatureTracker& camera : cameras_) predict_features(e, camera);
-  without_alignment();
-  stage.mark("predict");
-  search_features(e, stage);
-}
-
-/// A jolt moves a camera by more than its motion model allows, and the whole image shows the turn only. If few features of the
-/// only camera are found, searches again with an uncertain translation; half of the features must then be found, or all is as before.
-void SlamEstimator::search_features_after_jolt(Estimate& e, StageClock& stage) {
-  constexpr double sigma_depths = 0.02, sigma_rad = 0.01, least_share = 0.5;
-  if (cameras_.size() != 1) return;
-  FeatureTracker& camera = cameras_.front();
-  const TrackedCamera& seen = camera.camera();
-  const double dt = e.bodies[seen.body].t - camera.last_image_t();
-  if (bodies_[seen.body].was_lost || seen.mount || !(dt > 0) ||
-      camera.matched() >= settings_.health.min_matched_share * seen.predicted)
-    return;
+/// Searches again, after a motion that the motion model did not expect. All is as before if fewer features are found than
+/// `least`.
+void SlamEstimator::search_after_jump(Estimate& e, FeatureTracker& camera, const Jump& jump, int least,
+                                      StageClock& stage) {
   AnyBelief belief_before = e.belief;
   FeatureTracker camera_before = camera;
-  add_jump(e, seen.body, Eigen::Vector3d::Zero(), sigma_depths * seen.median_depth_m, sigma_rad, dt);
+  const std::size_t body = camera.camera().body;
+  add_jump(e, body, jump, e.bodies[body].t - camera.last_image_t());
   predict_features(e, camera);
   stage.mark("predict");
-  search_features(e, stage);
-  if (camera.matched() >= least_share * seen.predicted) return;
+  search_features(e, camera, stage);
+  if (camera.matched() >= least) return;
   e.belief = std::move(belief_before);
   camera = std::move(camera_before);
 }
 
-void SlamEstimator::match_images(Estimate& e, StageClock& stage) {
-  jumps_.clear();
-  for (FeatureTracker& camera : cameras_) {
-    predict_features(e, camera);
-    jumps_.push_back(jump_of(e, camera));
-  }
+/// The whole image turned by more than the motion model allows. Its alignment may be wrong, by a shadow for example: searches
+/// without it and then with it, and leaves it out if more features, and enough to track, are found without.
+void SlamEstimator::search_after_turn(Estimate& e, FeatureTracker& camera, const Eigen::Vector3d& turn,
+                                      StageClock& stage) {
+  constexpr double translation_share = 0.5;  // of the image motion, in standard deviations of the turn
+  camera.forget_alignment();
+  search_features(e, camera, stage);
+  const bool enough = !found_few(camera);
+  const double rad = turn.norm();
+  const Jump jump{turn, translation_share * rad * camera.camera().median_depth_m, rad};
+  search_after_jump(e, camera, jump, enough ? camera.matched() : 0, stage);
+}
+
+/// A jolt moves a camera by more than its motion model allows, and the alignment of the image shows the turn only.
+void SlamEstimator::search_after_jolt(Estimate& e, FeatureTracker& camera, StageClock& stage) {
+  constexpr double sigma_depths = 0.02, sigma_rad = 0.01, least_share = 0.5;
+  const TrackedCamera& seen = camera.camera();
+  const Jump jump{Eigen::Vector3d::Zero(), sigma_depths * seen.median_depth_m, sigma_rad};
+  search_after_jump(e, camera, jump, static_cast<int>(std::ceil(least_share * seen.predicted)), stage);
+}
+
+bool SlamEstimator::found_few(const FeatureTracker& camera) const {
+  return camera.matched() < settings_.health.min_matched_share * camera.camera().predicted;
+}
+
+/// Finds the features of one camera, as its motion model expects them or else as after a jump.
+void SlamEstimator::match_image(Estimate& e, FeatureTracker& camera, StageClock& stage) {
+  predict_features(e, camera);
   stage.mark("predict");
-  if (std::ranges::any_of(jumps_, [](const auto& jump) { return jump.has_value(); }))
-    search_features_after_jump(e, stage);
+  const bool may_jump = this->may_jump(e, camera);
+  const std::optional<Eigen::Vector3d> turn = may_jump ? camera.unexpected_turn() : std::nullopt;
+  if (turn)
+    search_after_turn(e, camera, *turn, stage);
   else
-    search_features(e, stage);
-  search_features_after_jolt(e, stage);
+    search_features(e, camera, stage);
+  if (may_jump && found_few(camera)) search_after_jolt(e, camera, stage);
+}
+
+void SlamEstimator::match_images(Estimate& e, StageClock& stage) {
+  for (FeatureTracker& camera : cameras_) match_image(e, camera, stage);
   discard_few_matches();
   for (FeatureTracker& camera : cameras_)
     if (bodies_[camera.camera().body].was_lost && searches_whole_map(camera)) find_in_map(e, camera);

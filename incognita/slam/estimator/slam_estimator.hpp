@@ -22,6 +22,7 @@
 
 namespace incognita {
 
+struct Jump;
 class StageClock;
 
 class SlamEstimator final : public Estimator {
@@ -50,11 +51,15 @@ class SlamEstimator final : public Estimator {
   bool carries_camera(std::size_t body) const;
   void predict(Estimate& estimate, const Command& command, const Observation& observation, const Tick& tick);
   void predict_features(Estimate& estimate, FeatureTracker& camera);
-  std::optional<Eigen::Vector3d> jump_of(const Estimate& estimate, const FeatureTracker& camera) const;
-  void search_features(Estimate& estimate, StageClock& stage);
-  void add_jumps(Estimate& estimate);
-  void search_features_after_jolt(Estimate& estimate, StageClock& stage);
-  void search_features_after_jump(Estimate& estimate, StageClock& stage);
+  void search_features(const Estimate& estimate, FeatureTracker& camera, StageClock& stage);
+  bool may_jump(const Estimate& estimate, const FeatureTracker& camera) const;
+  void search_after_jump(Estimate& estimate, FeatureTracker& camera, const Jump& jump, int least,
+                         StageClock& stage);
+  void search_after_turn(Estimate& estimate, FeatureTracker& camera, const Eigen::Vector3d& turn,
+                         StageClock& stage);
+  void search_after_jolt(Estimate& estimate, FeatureTracker& camera, StageClock& stage);
+  bool found_few(const FeatureTracker& camera) const;
+  void match_image(Estimate& estimate, FeatureTracker& camera, StageClock& stage);
   void match_images(Estimate& estimate, StageClock& stage);
   void discard_few_matches();
   bool searches_whole_map(const FeatureTracker& camera) const;
@@ -83,7 +88,6 @@ class SlamEstimator final : public Estimator {
   std::vector<FrameCounter> frame_counters_;  ///< of each camera
   EstimatorStart start_;
   std::vector<TrackedBody> bodies_;
-  std::vector<std::optional<Eigen::Vector3d>> jumps_;  ///< rad, of each camera in this frame
   Inliers inliers_;
   LandmarkPruning pruning_;
   RunningEntropy entropy_;

@@ -235,7 +235,8 @@ struct BundleSettings {
         "frame becomes a keyframe");
     setting(
         &S::min_start_motion_share, "min_start_motion_share", "", between(0, 1),
-        "The same for the first ten keyframes after an origin, if it is less: a wrong start is found earlier");
+        "The same for the first ten keyframes after an origin, if it is less: a wrong start is found earlier. At least three "
+        "standard deviations of the pixel noise");
     setting(&S::min_matched_share, "min_matched_share", "", between(0, 1),
             "Share of the features of the last keyframe below which a frame becomes a keyframe");
     setting(&S::max_iterations, "max_iterations", "", between(1, 1000), "Iterations per adjustment");

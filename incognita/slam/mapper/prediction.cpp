@@ -97,14 +97,14 @@ void predict_through_readings(Estimate& e, std::size_t which, const BodyObservat
 
 }  // namespace
 
-void add_jump(Estimate& e, std::size_t which, const Eigen::Vector3d& turn, double sigma_m, double sigma_rad,
-              double dt) {
+void add_jump(Estimate& e, std::size_t which, const Jump& jump, double dt) {
   const BlockId block = e.bodies[which].block;
   FreeCameraMotion::State<double> x = e.belief.mean(block);
-  x.segment<4>(3) = quaternion_product<double>(x.segment<4>(3), quaternion_exp<double>(turn)).normalized();
+  x.segment<4>(3) =
+      quaternion_product<double>(x.segment<4>(3), quaternion_exp<double>(jump.turn)).normalized();
   Eigen::Matrix<double, FreeCameraMotion::error_size, 1> sigmas;
-  sigmas << Eigen::Vector3d::Constant(sigma_m), Eigen::Vector3d::Constant(sigma_rad),
-      Eigen::Vector3d::Constant(sigma_m / dt), Eigen::Vector3d::Constant(sigma_rad / dt);
+  sigmas << Eigen::Vector3d::Constant(jump.sigma_m), Eigen::Vector3d::Constant(jump.sigma_rad),
+      Eigen::Vector3d::Constant(jump.sigma_m / dt), Eigen::Vector3d::Constant(jump.sigma_rad / dt);
   const SmallMatrix N = sigmas.cwiseAbs2().asDiagonal();
   e.belief.predict({block, x, FreeCameraMotion::Jacobian::Identity(), N});
 }

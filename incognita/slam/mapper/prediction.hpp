@@ -15,12 +15,16 @@ namespace incognita {
 void predict_body(Estimate& estimate, std::size_t which, const SmallVector& commanded,
                   const BodyObservation& observed, const Tick& tick, const EstimatorSettings& settings);
 
-/// Turns the prediction of a free camera over the last `dt` seconds by a rotation vector, rad in camera axes, that its motion
-/// model did not expect, and adds that uncertainty to its pose (m, rad per axis) and, over `dt`, to its velocity and rate. The
-/// rate does not follow the turn: shaking hands turn back in the next frame, and a camera that goes on turning has the
-/// uncertainty to do so.
-void add_jump(Estimate& estimate, std::size_t which, const Eigen::Vector3d& turn, double sigma_m,
-              double sigma_rad, double dt);
+/// A motion that the motion model of a free camera did not expect.
+struct Jump {
+  Eigen::Vector3d turn;               ///< rotation vector, rad in camera axes
+  double sigma_m = 0, sigma_rad = 0;  ///< of position and rotation, per axis
+};
+
+/// Turns the prediction of a free camera over the last `dt` seconds by a jump, and adds the uncertainty to its pose and, over
+/// `dt`, to its velocity and rate. The rate does not follow the turn: shaking hands turn back in the next frame, and a camera
+/// that goes on turning has the uncertainty to do so.
+void add_jump(Estimate& estimate, std::size_t which, const Jump& jump, double dt);
 
 /// Corrects a free camera with a wheel reading of its carrier: speed (m/s) and turn rate (rad/s, positive to the
 /// left), means over the tick.

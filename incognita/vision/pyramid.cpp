@@ -19,6 +19,11 @@ void halve(const Image& image, Image& half) {
   cv::pyrDown(as_matrix(image), result, result.size());
 }
 
+ImagePyramid::ImagePyramid(const ImagePyramid& other)
+    : levels_(other.levels_), halves_(other.halves_), summed_(other.summed_) {
+  for (std::size_t level = 1; level < summed_.size(); ++level) summed_[level].refer_to(halves_[level - 1]);
+}
+
 void ImagePyramid::assign(const Image& image, int most_levels) {
   summed_[0].assign(image);
   levels_ = 1;

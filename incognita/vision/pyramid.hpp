@@ -23,6 +23,11 @@ class ImagePyramid {
 
   ImagePyramid() = default;
   explicit ImagePyramid(const Image& image, int most_levels = max_levels) { assign(image, most_levels); }
+  /// A copy has levels of its own but for the image itself, level 0.
+  ImagePyramid(const ImagePyramid& other);
+  ImagePyramid& operator=(const ImagePyramid& other) { return *this = ImagePyramid(other); }
+  ImagePyramid(ImagePyramid&&) = default;
+  ImagePyramid& operator=(ImagePyramid&&) = default;
 
   /// As many levels as keep min_side_px in both directions, at most `most_levels`. Keeps a pointer to the image, which must
   /// outlive this object.

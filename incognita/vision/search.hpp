@@ -16,6 +16,8 @@ class SummedImage {
   /// Keeps a pointer to the image, which must outlive this object.
   void assign(const Image& image);
   const Image& image() const { return *image_; }
+  /// Takes a copy of the image in place of the image.
+  void refer_to(const Image& copy) { image_ = &copy; }
 
   struct Sums {
     double sum, squares;

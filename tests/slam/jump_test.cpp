@@ -17,6 +17,7 @@ CameraSlamSettings settings_with(double min_matched_share) {
   CameraSlamSettings settings = few_features();
   settings.filter.sigma_pixel_px = 0.5;
   settings.health.min_matched_share = min_matched_share;
+  settings.search.levels = 4;
   return settings;
 }
 

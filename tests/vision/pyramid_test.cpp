@@ -8,6 +8,23 @@
 namespace incognita {
 namespace {
 
+TEST(ImagePyramid, OutlivesTheOneItWasCopiedFrom) {
+  const Image image(320, 240, 77);
+  ImagePyramid copied, assigned;
+  {
+    const ImagePyramid original(image);
+    copied = ImagePyramid(original);
+    assigned = original;
+    EXPECT_NE(&copied.image(1), &original.image(1));
+  }
+  for (const ImagePyramid* pyramid : {&copied, &assigned}) {
+    EXPECT_EQ(&pyramid->image(0), &image);
+    EXPECT_EQ(pyramid->image(1).width(), 160);
+    EXPECT_EQ(pyramid->image(2)(10, 10), 77);
+    EXPECT_EQ(pyramid->summed(1).over(0, 0, 3).sum, 9 * 77);
+  }
+}
+
 TEST(ImagePyramid, EachLevelIsHalfOfTheOneBefore) {
   const Image image(321, 240, 77);
   const ImagePyramid pyramid(image);

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "incognita/math/random.hpp"
@@ -118,6 +119,8 @@ class FeatureTracker {
   void append_matches(FrameReport& report) const;
 
   const TrackedCamera& camera() const { return camera_; }
+  /// Takes the results of this frame back to those of a copy of camera() from before a further search.
+  void restore(TrackedCamera before) { camera_ = std::move(before); }
   int matched() const { return camera_.matched; }
 
  private:

@@ -2,6 +2,6 @@ incognita_test(slam_test SOURCES allocations.cpp slam/association_test.cpp slam/
                slam/team_measurements_test.cpp slam/tracking_test.cpp slam/entropy_test.cpp slam/prune_landmarks_test.cpp slam/relative_sigma_test.cpp USES incognita::slam)
 incognita_test(camera_slam_test SOURCES slam/active_search_test.cpp slam/camera_lost_test.cpp slam/camera_start_test.cpp
                slam/corner_choice_test.cpp slam/depth_line_failure_test.cpp slam/depth_line_test.cpp slam/expected_matches_test.cpp
-               slam/jump_test.cpp slam/landmark_initialization_test.cpp slam/landmark_upkeep_test.cpp slam/relocalization_test.cpp
+               slam/jump_test.cpp slam/loop_closure_test.cpp slam/landmark_initialization_test.cpp slam/landmark_upkeep_test.cpp slam/relocalization_test.cpp
                USES incognita::slam)
 incognita_test(camera_consistency_test SOURCES slam/camera_consistency_test.cpp USES incognita::io incognita::slam incognita::world)

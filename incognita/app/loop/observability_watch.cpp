@@ -58,7 +58,7 @@ constexpr const char* not_finite = "the filter's information is not finite";
 std::string why(ObservabilityMonitor::Uncovered uncovered) {
   switch (uncovered) {
     case ObservabilityMonitor::Uncovered::frame_changed:
-      return "the map is expressed in the vehicle frame";
+      return "the map is expressed in the vehicle frame, or a loop was closed";
     case ObservabilityMonitor::Uncovered::decorrelated:
       return "the filter decorrelates its map";
     case ObservabilityMonitor::Uncovered::other_block:

@@ -10,6 +10,7 @@
 #include "incognita/slam/estimator/check_observation.hpp"
 #include "incognita/slam/mapper/bodies.hpp"
 #include "incognita/slam/mapper/correction.hpp"
+#include "incognita/slam/mapper/drift.hpp"
 #include "incognita/slam/mapper/health.hpp"
 #include "incognita/slam/mapper/invariant_errors.hpp"
 #include "incognita/slam/mapper/landmarks.hpp"
@@ -288,8 +289,35 @@ void SlamEstimator::match_image(Estimate& e, FeatureTracker& camera, StageClock&
   if (may_jump && found_few(camera)) search_after_jolt(e, camera, stage);
 }
 
+/// Takes a drift back that returning landmarks show, if they then match jointly with those that are tracked.
+void SlamEstimator::close_loop(Estimate& e, StageClock& stage) {
+  const bool keeps_correlations =
+      settings_.filter.form == BeliefForm::covariance && !e.belief.drops_correlations();
+  if (cameras_.size() != 1 || e.bodies.size() != 1 || !keeps_correlations) return;
+  FeatureTracker& camera = cameras_.front();
+  if (!may_jump(e, camera)) return;
+  const std::optional<ClosedLoop> loop = camera.find_loop(e, e.body().t);
+  stage.mark("relocalize");
+  if (!loop) return;
+  Estimate before = e;
+  TrackedCamera camera_before = camera.camera();
+  undo_drift(e, 0, loop->drift, loop->landmarks);
+  predict_features(e, camera);
+  stage.mark("predict");
+  search_features(e, camera, stage);
+  const int least = camera.camera().settings.relocalization.min_matches;
+  e.last.loop_closed = camera.returning_matches() >= least && camera.matched() >= camera_before.matched;
+  if (e.last.loop_closed) {
+    camera.restart_keyframes();
+    return;
+  }
+  e = std::move(before);
+  camera.restore(std::move(camera_before));
+}
+
 void SlamEstimator::match_images(Estimate& e, StageClock& stage) {
   for (FeatureTracker& camera : cameras_) match_image(e, camera, stage);
+  close_loop(e, stage);
   discard_few_matches();
   for (FeatureTracker& camera : cameras_)
     if (bodies_[camera.camera().body].was_lost && searches_whole_map(camera)) find_in_map(e, camera);
@@ -426,6 +454,9 @@ void SlamEstimator::assess(Estimate& e, bool corrected) {
     }
     e.bodies[i].status = incognita::assess(e, i, bodies_[i].frames, settings_);
     if (carries_camera(i) && e.bodies[i].status.state == TrackingState::lost) search_around_last_pose(e, i);
+    if (e.last.loop_closed && e.bodies[i].status.state == TrackingState::tracking)
+      e.bodies[i].status = {TrackingState::relocated,
+                            "a loop was closed: landmarks returned beside where they were expected"};
   }
   e.status = worst_of(e.bodies);
 }

@@ -68,8 +68,8 @@ struct Feature {
 struct FeatureMatch {
   std::int64_t id = 0;
   bool anchor = false;
-  Eigen::Vector2d predicted;       ///< px, from the prior belief
-  Eigen::Matrix2d innovation_cov;  ///< S_i = H_i P H_i' + R, px^2
+  Eigen::Vector2d predicted;                                 ///< px, from the prior belief
+  Eigen::Matrix2d innovation_cov = Eigen::Matrix2d::Zero();  ///< S_i = H_i P H_i' + R, px^2
   /// px^2, of the error of a match, white and lasting, before it
   Eigen::Matrix2d error_cov = Eigen::Matrix2d::Zero();
   double expected_information = 0;                       ///< nats, of a search; it orders them

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "incognita/math/median.hpp"
 #include "incognita/slam/features/active_search.hpp"
@@ -53,6 +54,7 @@ FeatureTracker::FeatureTracker(Camera camera, const CameraSlamSettings& settings
               .median_depth_m = 1 / settings.initialization.inverse_depth_per_m},
       placement_(placement),
       relocalization_(seed),
+      loop_closure_(seed),
       random_(seed, "slam.birth") {
   validate(settings, placement.target, placement.max_search_s);
 }
@@ -265,6 +267,11 @@ std::optional<PoseEvidence> FeatureTracker::find_in_map(const Estimate& estimate
   return relocalization_.find(pyramid_.summed(), estimate, camera_, t);
 }
 
+std::optional<ClosedLoop> FeatureTracker::find_loop(const Estimate& estimate, double t) {
+  if (!sees_ || !camera_.settings.relocalization.close_loops) return std::nullopt;
+  return loop_closure_.find(pyramid_.summed(), estimate, camera_, t);
+}
+
 void FeatureTracker::take_matches(PoseEvidence evidence, const Estimate& estimate) {
   camera_.view = viewpoint(estimate, camera_);
   camera_.matches = std::move(evidence.matches);
@@ -338,8 +345,10 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
       .min_start_motion_px = std::max(settings.min_start_motion_share * width,
                                       least_motion_sigmas * std::sqrt(camera_.pixel_var())),
       .min_matched_share = settings.min_matched_share};
-  if (!keyframes_.is_starting() && keyframes_.returning_count(matches) >= least_returning &&
-      keyframes_.moved_px(estimate, camera_.view.camera, camera_.camera) > most_moved_px) {
+  const bool filter_closed_loop =
+      !keyframes_.is_starting() && keyframes_.returning_count(matches) >= least_returning &&
+      keyframes_.moved_px(estimate, camera_.view.camera, camera_.camera) > most_moved_px;
+  if (std::exchange(keyframes_are_old_, false) || filter_closed_loop) {
     keyframes_.start(camera_.view.camera, pose_cov(estimate), estimate.bodies[camera_.body].t);
     keyframes_.add_matches(estimate, camera_.view.body, matches);
     return false;

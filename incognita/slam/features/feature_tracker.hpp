@@ -11,6 +11,7 @@
 #include "incognita/slam/bundle/keyframes.hpp"
 #include "incognita/slam/features/align_rotation.hpp"
 #include "incognita/slam/features/feature.hpp"
+#include "incognita/slam/features/loop_closure.hpp"
 #include "incognita/slam/features/pixel_noise.hpp"
 #include "incognita/slam/features/relocalization.hpp"
 #include "incognita/slam/features/rolling_shutter.hpp"
@@ -104,6 +105,11 @@ class FeatureTracker {
   /// Searches for the pose of a lost camera, by the matches of this frame and then in the whole map, RelocalizationSettings;
   /// the body must be the camera itself. Evidence that suffices, or nothing. `t`: s, of this frame.
   std::optional<PoseEvidence> find_in_map(const Estimate& estimate, double t);
+  /// Of a camera that tracks, after its search: the drift that returning landmarks show. `t`: s, of this frame.
+  std::optional<ClosedLoop> find_loop(const Estimate& estimate, double t);
+  /// After that drift was taken back: the keyframes begin anew.
+  void restart_keyframes() { keyframes_are_old_ = true; }
+  int returning_matches() const { return incognita::returning_matches(camera_); }
   /// Time of the last image that corrected the estimate or began the map, s.
   double last_image_t() const { return before_t_; }
   /// Of a rolling shutter, if the residuals show one: the estimator takes all rows as exposed at once.
@@ -141,9 +147,11 @@ class FeatureTracker {
   CameraPlacement placement_;
   Keyframes keyframes_;
   bool moved_estimate_ = false;
+  bool keyframes_are_old_ = false;  ///< of before a drift was taken back
   PixelNoise pixel_noise_;
   RollingShutter rolling_shutter_;
   Relocalization relocalization_;
+  LoopClosure loop_closure_;
   ImagePyramid pyramid_;
   SmallImage small_, small_before_;
   std::vector<Eigen::Vector3d> small_rays_, predicted_rays_;

@@ -22,6 +22,7 @@ class Relocalization {
                                    const TrackedCamera& camera, double t);
   /// Forgets a pose that is not confirmed yet.
   void restart() { candidate_.reset(); }
+  bool has_candidate() const { return candidate_.has_value(); }
 
  private:
   struct Candidate {

@@ -248,6 +248,7 @@ struct BundleSettings {
 /// Of a lost camera, in the whole map.
 struct RelocalizationSettings {
   bool whole_map = true;
+  bool close_loops = true;
   int period_frames = 1;
   int min_matches = 6;
   double min_matched_share = 0.55;
@@ -263,6 +264,10 @@ struct RelocalizationSettings {
     setting(
         &S::whole_map, "whole_map", "", any(),
         "Whether a lost camera recognizes the whole map by descriptors, besides the search around its last pose");
+    setting(
+        &S::close_loops, "close_loops", "", any(),
+        "Whether a camera that tracks recognizes landmarks that return where it does not expect them, and takes the drift "
+        "back; for the only camera, on the only body");
     setting(&S::period_frames, "period_frames", "", between(1, 100000),
             "Frames from one search of the whole map by a lost camera to the next");
     setting(&S::min_matches, "min_matches", "", between(5, 10000),

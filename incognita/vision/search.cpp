@@ -98,8 +98,8 @@ Eigen::Vector2d CorrelationSheet::refine(int u, int v) {
     for (int du = -1; du <= 1; ++du) {
       const double correlation = at(u + du, v + dv);
       if (correlation < -1.5) return here;  // at the border of the searched range
-      c[dv + 1][du + 1] =
-          -std::sqrt(std::max(0.0, variance_around(*image_, u + du, v + dv, patch_->size))) * (1 - correlation);
+      c[dv + 1][du + 1] = -std::sqrt(std::max(0.0, variance_around(*image_, u + du, v + dv, patch_->size))) *
+                          (1 - correlation);
     }
   // Quadratic through the center, with central differences as derivatives; its maximum, if there is one
   const Eigen::Vector2d slope((c[1][2] - c[1][0]) / 2, (c[2][1] - c[0][1]) / 2);

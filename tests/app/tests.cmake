@@ -37,6 +37,7 @@ incognita_program_test(program_campaign_test SOURCES app/program_campaign_test.c
                                                      app/program_campaign_interrupted_test.cpp)
 incognita_test(withheld_truth_test SOURCES app/withheld_truth_test.cpp USES incognita::app)
 incognita_test(relocalization_in_room_test SOURCES app/relocalization_in_room_test.cpp USES incognita::app)
+incognita_test(loop_closure_in_room_test SOURCES app/loop_closure_in_room_test.cpp USES incognita::app)
 incognita_test(run_description_test SOURCES app/run_description_test.cpp USES incognita::app)
 incognita_test(room_vehicle_test SOURCES app/room_vehicle_test.cpp USES incognita::app)
 incognita_test(hand_held_test SOURCES app/hand_held_test.cpp USES incognita::app)

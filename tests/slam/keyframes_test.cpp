@@ -100,6 +100,33 @@ TEST(Keyframes, OfAWindowFindTheTruthToo) {
   EXPECT_LT(scene.camera_error(12), 2e-3);
 }
 
+/// After a closed loop, landmarks are known better than from the keyframes: these fit to them, wherever the belief has them now.
+TEST(Keyframes, FitToReferences) {
+  constexpr int keyframes = 4;
+  const Eigen::Vector3d shift(0.02, 0.05, -0.03);
+  Scene scene(0);
+  AnyBelief& belief = scene.t.estimate.belief;
+  scene.begin_in_the_middle();
+  for (int k = 1; k <= keyframes; ++k) {
+    if (k == 3)
+      for (int i = Scene::anchors; i < Scene::points; ++i)
+        belief.set_mean(scene.t.landmark(i).block, scene.truth[static_cast<std::size_t>(i)] + shift);
+    std::vector<KeyframeMatch> matches = scene.matches(k);
+    std::erase_if(matches, [](const KeyframeMatch& match) { return match.id < Scene::anchors; });
+    for (KeyframeMatch& match : matches) match.is_reference = true;
+    scene.t.move_to(pose_at(k));
+    scene.keyframes.add(scene.t.estimate, scene.t.camera_block(), matches, k * keyframe_s);
+    scene.keyframes.adjust(scene.t.estimate, scene.t.camera_block(), camera, {.max_iterations = 20},
+                           {0.5, 0.5}, 2);
+  }
+  const CameraState x = belief.mean(scene.t.camera_block());
+  EXPECT_LT((x.head<3>() - pose_at(keyframes).head<3>() - shift).norm(), 2e-3);
+  for (int i = Scene::anchors; i < Scene::points; ++i)
+    EXPECT_EQ(Eigen::Vector3d(belief.mean(scene.t.landmark(i).block)),
+              scene.truth[static_cast<std::size_t>(i)] + shift)
+        << i;
+}
+
 TEST(Keyframes, KeepWhatTheySawOfDeletedLandmarks) {
   Scene scene(0.1);
   scene.run(4, 15, 0.03);

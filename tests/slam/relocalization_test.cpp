@@ -84,7 +84,7 @@ TEST(Relocalization, GivesTheSameBytesAgain) {
 
 TEST(Relocalization, IsASetting) {
   CameraSlamSettings off = defaults();
-  off.relocalization.whole_map = false;
+  off.relocalization.whole_map = off.relocalization.close_loops = false;
   Lost lost(wall_with_sheet(), 1.2, off);
   EXPECT_EQ(lost.frames_until_back(far_back), 100);
   for (const auto& [id, feature] : lost.estimator.cameras()[0].camera().features)

@@ -103,8 +103,8 @@ Image dark_corner(const Vector2d& corner) {
   const auto covered = [](int pixel, double from) { return std::clamp(pixel + 0.5 - from, 0.0, 1.0); };
   for (int v = 0; v < 41; ++v)
     for (int u = 0; u < 41; ++u)
-      image(u, v) = static_cast<std::uint8_t>(
-          std::lround(236 - 222 * covered(u, corner.x()) * covered(v, corner.y())));
+      image(u, v) =
+          static_cast<std::uint8_t>(std::lround(236 - 222 * covered(u, corner.x()) * covered(v, corner.y())));
   return image;
 }
 

@@ -125,6 +125,7 @@ void Keyframes::add_matches(const Estimate& estimate, BlockId body,
     if (track.seen.empty() && !landmark.fixed && !is_starting())
       if (const auto point = point_in_view(landmark, estimate.belief, last_view()))
         track.prior = DepthPrior{point->z(), sigma_inverse_depth_in_view(landmark, estimate.belief, body)};
+    track.is_reference |= match.is_reference;
     track.seen.push_back({last(), match.pixel, match.cov});
   }
 }
@@ -142,6 +143,13 @@ std::optional<BundlePoint> Keyframes::point_of(const Track& track, const Landmar
   if (landmark.fixed) {
     point.kind = BundlePoint::Kind::fixed;
     point.value = landmark.position;
+    return point;
+  }
+  if (track.is_reference) {
+    const auto known = position_of(landmark, estimate);
+    if (!known) return std::nullopt;
+    point.kind = BundlePoint::Kind::fixed;
+    point.value = known->position;
     return point;
   }
   point.kind = BundlePoint::Kind::inverse_depth;
@@ -169,7 +177,7 @@ void Keyframes::forget_before(int first_free) {
       if (seen.view < first_free) kept.insert({seen.view, views_.at(seen.view)});
   }
   views_ = std::move(kept);
-  times_.erase(times_.begin(), times_.lower_bound(first_free));
+  std::erase_if(times_, [&](const auto& item) { return !views_.contains(item.first); });
 }
 
 /// The views of the points of the bundle; those before `first_free` are fixed.
@@ -197,7 +205,8 @@ void Keyframes::add_points(const Estimate& estimate, const DepthPrior& prior, in
   for (auto& [id, track] : tracks_) {
     if (track.seen.back().view < first_free || track.seen.size() < 2) continue;
     const auto landmark = estimate.landmarks.find(id);
-    if (!track.point && landmark != estimate.landmarks.end())
+    const bool is_new = !track.point || track.is_reference;
+    if (is_new && landmark != estimate.landmarks.end())
       track.point = point_of(track, landmark->second, estimate, prior);
     if (!track.point) continue;
     const int index = static_cast<int>(ids_.size());
@@ -233,8 +242,8 @@ void Keyframes::move_means(Estimate& estimate, BlockId body, const BundleView& b
   move_camera(estimate.belief, body, last_view(), relative, elapsed_s());
   for (const std::int64_t id : ids_) {
     const auto landmark = estimate.landmarks.find(id);
-    if (landmark == estimate.landmarks.end() || landmark->second.fixed) continue;
     const BundlePoint& point = *tracks_.at(id).point;
+    if (landmark == estimate.landmarks.end() || point.kind == BundlePoint::Kind::fixed) continue;
     move_landmark(estimate.belief, landmark->second, point, views_.at(point.host).position);
   }
 }
@@ -261,10 +270,9 @@ AdjustmentReport Keyframes::adjust(Estimate& estimate, BlockId body, const Camer
 
 std::vector<PastPose> Keyframes::window() const {
   std::vector<PastPose> poses;
-  for (const auto& [number, t] : times_) {
-    const BundleView& view = views_.at(number);
-    poses.push_back({t, {view.position, view.world_from_camera}});
-  }
+  const int first = std::max(0, last() + 1 - window_);
+  for (auto view = views_.lower_bound(first); view != views_.end(); ++view)
+    poses.push_back({times_.at(view->first), {view->second.position, view->second.world_from_camera}});
   return poses;
 }
 
@@ -299,9 +307,9 @@ double Keyframes::moved_px(const Estimate& estimate, const CameraState& from, co
   std::vector<double> distances;
   for (const std::int64_t id : ids_) {
     const auto landmark = estimate.landmarks.find(id);
-    if (landmark == estimate.landmarks.end() || landmark->second.fixed) continue;
-    const auto now = point_in_view(landmark->second, estimate.belief, view);
     const BundlePoint& point = *tracks_.at(id).point;
+    if (landmark == estimate.landmarks.end() || point.kind == BundlePoint::Kind::fixed) continue;
+    const auto now = point_in_view(landmark->second, estimate.belief, view);
     const auto then = camera.project(camera_from_world *
                                      scaled_vector(point, views_.at(point.host).position, view.position));
     if (!now || !then) continue;

@@ -20,6 +20,8 @@ struct KeyframeMatch {
   std::int64_t id = 0;  ///< of the landmark
   Eigen::Vector2d pixel{0, 0};
   Eigen::Matrix2d cov = Eigen::Matrix2d::Identity();  ///< px^2
+  /// Its landmark stays where the belief has it: it is known from before the keyframes, which are to fit to it.
+  bool is_reference = false;
 };
 
 /// When a frame becomes a keyframe: after `min_frames`, once the matched features moved by `min_motion_px` (rms) since the
@@ -89,6 +91,7 @@ class Keyframes {
     std::vector<Seen> seen;
     std::optional<DepthPrior> prior = {};   ///< of the depth in the first view; none: that given to adjust()
     std::optional<BundlePoint> point = {};  ///< after the last adjustment; its host is the number of a view
+    bool is_reference = false;
   };
 
   int last() const { return views_.rbegin()->first; }
@@ -101,7 +104,7 @@ class Keyframes {
   void move_means(Estimate& estimate, BlockId body, const BundleView& before) const;
 
   std::map<int, BundleView> views_;       ///< by number; older ones if a landmark was seen there
-  std::map<int, double> times_;           ///< s, of the views of the window
+  std::map<int, double> times_;           ///< s, of the views
   std::map<std::int64_t, Track> tracks_;  ///< by landmark
   BundleView first_view_;                 ///< prior of view 0
   Eigen::Matrix<double, 6, 6> first_view_cov_ = Eigen::Matrix<double, 6, 6>::Zero();

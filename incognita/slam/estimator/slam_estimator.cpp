@@ -51,8 +51,9 @@ std::string problem_of_camera(const FeatureTracker& camera, const EstimatorSetti
   return "";
 }
 
-/// Keyframes are poses of the one body, and images are its only measurements.
-bool suits_bundle_adjustment(const EstimatorSettings& settings, const std::vector<FeatureTracker>& cameras) {
+/// One camera, which is the only body, and whose images are its only measurements, in covariance form. Keyframes are poses of that
+/// body, and a drift moves it with all that was mapped.
+bool is_one_free_camera(const EstimatorSettings& settings, const std::vector<FeatureTracker>& cameras) {
   if (cameras.size() != 1 || settings.bodies.size() != 1) return false;
   const BodyModel& body = settings.bodies[0];
   const TrackedCamera& camera = cameras[0].camera();
@@ -76,7 +77,7 @@ SlamEstimator::SlamEstimator(EstimatorSettings settings, std::vector<FeatureTrac
   if (!problem.empty()) throw std::invalid_argument(problem);
   for (std::size_t k = 0; k < cameras_.size(); ++k) cameras_[k].set_index(static_cast<int>(k));
   for (FeatureTracker& camera : cameras_)
-    if (!suits_bundle_adjustment(settings_, cameras_)) camera.adjust_no_bundle();
+    if (!is_one_free_camera(settings_, cameras_)) camera.adjust_no_bundle();
   frame_counters_.resize(cameras_.size());
   bodies_.resize(settings_.bodies.size());
 }
@@ -289,28 +290,29 @@ void SlamEstimator::match_image(Estimate& e, FeatureTracker& camera, StageClock&
   if (may_jump && found_few(camera)) search_after_jolt(e, camera, stage);
 }
 
-/// Takes a drift back that returning landmarks show, if they then match jointly with those that are tracked.
+/// Corrects a drift that returning landmarks show, if they then match jointly with those that are tracked.
 void SlamEstimator::close_loop(Estimate& e, StageClock& stage) {
-  const bool keeps_correlations =
-      settings_.filter.form == BeliefForm::covariance && !e.belief.drops_correlations();
-  if (cameras_.size() != 1 || e.bodies.size() != 1 || !keeps_correlations) return;
+  if (!is_one_free_camera(settings_, cameras_) || settings_.filter.decorrelate != Decorrelation::nothing)
+    return;
   FeatureTracker& camera = cameras_.front();
-  if (!may_jump(e, camera)) return;
+  if (!may_jump(e, camera)) return camera.forget_loop();
   const std::optional<ClosedLoop> loop = camera.find_loop(e, e.body().t);
   stage.mark("relocalize");
   if (!loop) return;
   Estimate before = e;
   TrackedCamera camera_before = camera.camera();
-  undo_drift(e, 0, loop->drift, loop->landmarks);
-  predict_features(e, camera);
+  correct_drift(e, 0, loop->correction, loop->landmarks);
+  camera.move_views(*loop);
+  camera.predict(
+      e, motion_of(camera));  // the alignment of the image stays: camera and landmarks in view moved together
   stage.mark("predict");
   search_features(e, camera, stage);
-  const int least = camera.camera().settings.relocalization.min_matches;
-  e.last.loop_closed = camera.returning_matches() >= least && camera.matched() >= camera_before.matched;
+  e.last.loop_closed = camera.confirms(*loop, camera_before) && !found_few(camera);
   if (e.last.loop_closed) {
     camera.restart_keyframes();
     return;
   }
+  before.timing_ms = e.timing_ms;
   e = std::move(before);
   camera.restore(std::move(camera_before));
 }
@@ -438,7 +440,7 @@ void SlamEstimator::assess(Estimate& e, bool corrected) {
   for (FeatureTracker& camera : cameras_) {
     const std::size_t body = camera.camera().body;
     if (!camera.has_image() && !bodies_[body].was_lost) continue;
-    if (!bodies_[body].was_lost) camera.count_frames_away();
+    if (!bodies_[body].was_lost) camera.count_frames();
     e.last.predicted += camera.camera().predicted;
     e.bodies[body].counts.searched += camera.camera().predicted;
   }

@@ -60,8 +60,14 @@ struct Feature {
   int attempts = 0;                     ///< searches in frames that were otherwise matched
   /// Searches and matches weighted by age, with a time constant of MapSettings::memory_attempts; without it unused.
   double recent_attempts = 0, recent_matches = 0;
-  int frames_away = 0;   ///< since its last update of the filter or its initialization
   int ray_failures = 0;  ///< of a ray only: consecutive failed searches
+  int frames_known = 0;  ///< since its initialization
+  int frames_away = 0;   ///< since its last update of the filter or its initialization
+  int frames_in_view = 0,
+      frames_out_of_view = 0;  ///< where the filter predicted it, of the last visit and since then
+
+  /// Since it came into the predicted view, before this frame.
+  int frames_since_return() const { return frames_out_of_view > 0 ? 0 : frames_in_view; }
 };
 
 /// The predicted measurement of a landmark in this frame, and the result of the search.

@@ -258,7 +258,8 @@ void FeatureTracker::after_correction(const Estimate& estimate, const AnyMotion&
   if (sees_) rolling_shutter_.update(estimate, camera_, estimate.bodies[camera_.body].t);
   update_median_depth();
   estimate_patch_planes(estimate, camera_);
-  if (sees_ && camera_.settings.relocalization.whole_map)
+  const RelocalizationSettings& recognition = camera_.settings.relocalization;
+  if (sees_ && (recognition.whole_map || recognition.close_loops))
     describe_new_views(pyramid_.image(), estimate, camera_);
 }
 
@@ -268,6 +269,7 @@ std::optional<PoseEvidence> FeatureTracker::find_in_map(const Estimate& estimate
 }
 
 std::optional<ClosedLoop> FeatureTracker::find_loop(const Estimate& estimate, double t) {
+  if (!sees_) loop_closure_.restart();
   if (!sees_ || !camera_.settings.relocalization.close_loops) return std::nullopt;
   return loop_closure_.find(pyramid_.summed(), estimate, camera_, t);
 }
@@ -300,7 +302,10 @@ void FeatureTracker::update_median_depth() {
   if (!distances_.empty()) camera_.median_depth_m = median(distances_);
 }
 
-void FeatureTracker::count_frames_away() { incognita::count_frames_away(camera_); }
+void FeatureTracker::count_frames() {
+  incognita::count_frames(camera_);
+  if (reference_frames_) ++*reference_frames_;
+}
 
 void FeatureTracker::maintain_map(Estimate& estimate, const AnyMotion& motion) {
   relocalization_.restart();
@@ -337,7 +342,9 @@ bool FeatureTracker::add_keyframe(Estimate& estimate, const AnyMotion& motion) {
   std::vector<KeyframeMatch> matches;
   for (const FeatureMatch& match : camera_.matches)
     if (match.outcome == MatchOutcome::matched)
-      matches.push_back({match.id, *match.measured, match_cov(match, camera_)});
+      matches.push_back(
+          {match.id, *match.measured, match_cov(match, camera_),
+           reference_frames_ && camera_.features.at(match.id).frames_known > *reference_frames_});
   const int width = camera_.camera.width();
   const KeyframePolicy policy{
       .min_frames = settings.min_frames,

@@ -92,8 +92,8 @@ class FeatureTracker {
   void discard_matches();
   /// To be called after the correction: takes the corrected viewpoint, and estimates the planes of the patches.
   void after_correction(const Estimate& estimate, const AnyMotion& motion);
-  /// Counts the frames since the last match of each feature.
-  void count_frames_away();
+  /// Counts the frames for which each feature is known, in view and without a match.
+  void count_frames();
 
   /// Converts, deletes and adds landmarks, and adjusts the last keyframes; for frames with enough matches.
   void maintain_map(Estimate& estimate, const AnyMotion& motion);
@@ -105,11 +105,21 @@ class FeatureTracker {
   /// Searches for the pose of a lost camera, by the matches of this frame and then in the whole map, RelocalizationSettings;
   /// the body must be the camera itself. Evidence that suffices, or nothing. `t`: s, of this frame.
   std::optional<PoseEvidence> find_in_map(const Estimate& estimate, double t);
-  /// Of a camera that tracks, after its search: the drift that returning landmarks show. `t`: s, of this frame.
+  /// Of a camera that tracks, after its search: the correction of a drift that returning landmarks show. `t`: s, of this frame.
   std::optional<ClosedLoop> find_loop(const Estimate& estimate, double t);
-  /// After that drift was taken back: the keyframes begin anew.
-  void restart_keyframes() { keyframes_are_old_ = true; }
-  int returning_matches() const { return incognita::returning_matches(camera_); }
+  /// Of a camera that does not track: forgets a loop that is not confirmed yet.
+  void forget_loop() { loop_closure_.restart(); }
+  /// Moves the appearance of the landmarks that drifted.
+  void move_views(const ClosedLoop& loop) { incognita::move_views(camera_, loop); }
+  /// Whether the matches of the image after the correction confirm the loop; `before`: the camera before it.
+  bool confirms(const ClosedLoop& loop, const TrackedCamera& before) const {
+    return incognita::confirms(loop, camera_, before);
+  }
+  /// After a drift was corrected: the keyframes begin anew, and fit to the map as corrected.
+  void restart_keyframes() {
+    keyframes_are_old_ = true;
+    reference_frames_ = 0;
+  }
   /// Time of the last image that corrected the estimate or began the map, s.
   double last_image_t() const { return before_t_; }
   /// Of a rolling shutter, if the residuals show one: the estimator takes all rows as exposed at once.
@@ -147,7 +157,9 @@ class FeatureTracker {
   CameraPlacement placement_;
   Keyframes keyframes_;
   bool moved_estimate_ = false;
-  bool keyframes_are_old_ = false;  ///< of before a drift was taken back
+  bool keyframes_are_old_ = false;  ///< of before a drift was corrected
+  std::optional<int>
+      reference_frames_;  ///< known for more, landmarks are references: of the map as corrected
   PixelNoise pixel_noise_;
   RollingShutter rolling_shutter_;
   Relocalization relocalization_;

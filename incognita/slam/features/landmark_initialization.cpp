@@ -1,8 +1,10 @@
 #include "incognita/slam/features/landmark_initialization.hpp"
-#include "incognita/slam/mapper/landmarks.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "incognita/slam/features/loop_closure.hpp"
+#include "incognita/slam/mapper/landmarks.hpp"
 
 namespace incognita {
 namespace {
@@ -67,10 +69,13 @@ std::vector<DepthHypothesis> uniform_depths(const InitializationSettings& initia
   return depths;
 }
 
-/// Occupied pixels: all landmarks predicted in view, rays, and landmarks initialized in this frame.
+/// Occupied pixels: all landmarks predicted in view, rays, and landmarks initialized in this frame. Landmarks that returned and are
+/// missed are probably elsewhere.
 std::vector<Eigen::Vector2d> occupied_pixels(const Estimate& estimate, const TrackedCamera& camera) {
   std::vector<Eigen::Vector2d> taken;
-  for (const FeatureMatch& match : camera.matches) taken.push_back(match.measured.value_or(match.predicted));
+  const MissedLandmarks missed = missed_landmarks(camera);
+  for (const FeatureMatch& match : camera.matches)
+    if (!missed.may_be_right(match.id)) taken.push_back(match.measured.value_or(match.predicted));
   for (const auto& [id, feature] : camera.features) {
     const Landmark& landmark = estimate.landmarks.at(id);
     if (landmark.form.kind != LandmarkParametrization::Kind::ray && feature.attempts > 0) continue;

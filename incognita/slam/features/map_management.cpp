@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "incognita/slam/features/each_feature.hpp"
+#include "incognita/slam/features/loop_closure.hpp"
 #include "incognita/slam/mapper/landmarks.hpp"
 
 namespace incognita {
@@ -43,10 +44,18 @@ double expected_matches(const TrackedCamera& camera) {
   return sum;
 }
 
-void count_frames_away(TrackedCamera& camera) {
-  for (auto& [id, feature] : camera.features) ++feature.frames_away;
-  for (const FeatureMatch& match : camera.matches)
-    if (match.outcome == MatchOutcome::matched) camera.features.at(match.id).frames_away = 0;
+void count_frames(TrackedCamera& camera) {
+  for (auto& [id, feature] : camera.features) {
+    ++feature.frames_known;
+    ++feature.frames_away;
+    ++feature.frames_out_of_view;
+  }
+  for (const FeatureMatch& match : camera.matches) {
+    Feature& feature = camera.features.at(match.id);
+    feature.frames_in_view = feature.frames_out_of_view > 1 ? 1 : feature.frames_in_view + 1;
+    feature.frames_out_of_view = 0;
+    if (match.outcome == MatchOutcome::matched) feature.frames_away = 0;
+  }
 }
 
 void count_attempts(Estimate& estimate, TrackedCamera& camera) {
@@ -60,10 +69,12 @@ void count_attempts(Estimate& estimate, TrackedCamera& camera) {
 
 void delete_bad_landmarks(Estimate& estimate, TrackedCamera& camera) {
   const MapSettings& settings = camera.settings.map;
+  const MissedLandmarks missed = missed_landmarks(camera);
   for_each_feature(estimate, camera.features, [&](const Landmark& landmark, const Feature& feature) {
     if (!landmark.mapped()) return;
     const bool beyond_infinity = is_inverse_depth(landmark) && estimate.belief.mean(landmark.block)[5] < 0;
-    if (is_rarely_matched(landmark, feature, settings) || beyond_infinity)
+    if ((is_rarely_matched(landmark, feature, settings) && !missed.may_be_right(landmark.id)) ||
+        beyond_infinity)
       remove_landmark(estimate, camera, landmark.id);
   });
 }

@@ -6,7 +6,7 @@
 namespace incognita {
 
 /// Counts the frames since the last match of each feature; for every tracked frame.
-void count_frames_away(TrackedCamera& camera);
+void count_frames(TrackedCamera& camera);
 
 /// Counts this frame's searches. The caller skips frames with hardly any match, which carry no information
 /// about single landmarks (e.g. a covered lens).

@@ -55,9 +55,28 @@ Slopes gradient(const PatchTemplate& patch) {
 
 }  // namespace
 
+namespace {
+
+/// The directions in which the slopes are counted, world: 3 x 2.
+Eigen::Matrix<double, 3, 2> slope_axes(const Eigen::Vector3d& facing) {
+  Eigen::Matrix<double, 3, 2> axes;
+  axes.col(0) = facing.unitOrthogonal();
+  axes.col(1) = facing.cross(axes.col(0));
+  return axes;
+}
+
+}  // namespace
+
 Eigen::Vector3d PatchPlane::normal(const Eigen::Vector2d& any_slope) const {
-  const Eigen::Vector3d across = facing.unitOrthogonal();
-  return (facing + any_slope[0] * across + any_slope[1] * facing.cross(across)).normalized();
+  return (facing + slope_axes(facing) * any_slope).normalized();
+}
+
+void turn(PatchPlane& plane, const Eigen::Matrix3d& R) {
+  const Eigen::Vector3d facing = R * plane.facing;
+  const Eigen::Matrix2d to_new_axes = slope_axes(facing).transpose() * R * slope_axes(plane.facing);
+  plane.facing = facing;
+  plane.slope = to_new_axes * plane.slope;
+  plane.slope_cov = to_new_axes * plane.slope_cov * to_new_axes.transpose();
 }
 
 std::optional<PlaneEvidence> plane_evidence(const Image& image, const Eigen::Vector2d& found,

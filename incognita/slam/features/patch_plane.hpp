@@ -24,6 +24,9 @@ struct PatchPlane {
   Eigen::Vector3d normal(const Eigen::Vector2d& any_slope) const;  ///< unit, world
 };
 
+/// Turns a plane in the world.
+void turn(PatchPlane& plane, const Eigen::Matrix3d& R);
+
 /// Information of one match about the plane.
 struct PlaneEvidence {
   Eigen::Matrix2d shift_per_slope;  ///< px: shift of the match per error of the slope

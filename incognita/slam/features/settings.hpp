@@ -266,8 +266,8 @@ struct RelocalizationSettings {
         "Whether a lost camera recognizes the whole map by descriptors, besides the search around its last pose");
     setting(
         &S::close_loops, "close_loops", "", any(),
-        "Whether a camera that tracks recognizes landmarks that return where it does not expect them, and takes the drift "
-        "back; for the only camera, on the only body");
+        "Whether a camera that tracks recognizes landmarks that return where it does not expect them, and corrects the drift; "
+        "for the only camera, on the only body");
     setting(&S::period_frames, "period_frames", "", between(1, 100000),
             "Frames from one search of the whole map by a lost camera to the next");
     setting(&S::min_matches, "min_matches", "", between(5, 10000),

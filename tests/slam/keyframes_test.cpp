@@ -100,6 +100,32 @@ TEST(Keyframes, OfAWindowFindTheTruthToo) {
   EXPECT_LT(scene.camera_error(12), 2e-3);
 }
 
+/// The filter moved them with the camera; what bundle adjustment takes back, it takes back of them too.
+TEST(Keyframes, MoveLandmarksOutOfViewAsTheCamera) {
+  Scene scene(0.1);
+  AnyBelief& belief = scene.t.estimate.belief;
+  const auto add = [&](std::int64_t id, bool with_camera) {
+    Landmark landmark;
+    landmark.id = id;
+    BlockMatrix J = BlockMatrix::Zero(3, 12);
+    if (with_camera) J.leftCols<3>().setIdentity();
+    const Belief::Parent parents[] = {{scene.t.camera_block(), J}};
+    landmark.block = belief.augment(PointLandmark::chart, Eigen::Vector3d(-2, 0, 1), parents,
+                                    1e-4 * Eigen::Matrix3d::Identity());
+    scene.t.estimate.landmarks.emplace(id, landmark);
+    return landmark.block;
+  };
+  const BlockId with_camera = add(100, true), alone = add(101, false);
+  CameraState wrong = pose_at(1);
+  wrong.head<3>() += Eigen::Vector3d(0.03, -0.03, 0.015);
+  scene.run(1, 15, 0.03);
+  const Eigen::Vector3d shift = belief.mean(scene.t.camera_block()).head<3>() - wrong.head<3>();
+  EXPECT_GT(shift.norm(), 0.02);
+  const Eigen::Vector3d moved = belief.mean(with_camera);
+  EXPECT_LT((moved - Eigen::Vector3d(-2, 0, 1) - shift).norm(), 1e-6);
+  EXPECT_EQ(Eigen::Vector3d(belief.mean(alone)), Eigen::Vector3d(-2, 0, 1));
+}
+
 /// After a closed loop, landmarks are known better than from the keyframes: these fit to them, wherever the belief has them now.
 TEST(Keyframes, FitToReferences) {
   constexpr int keyframes = 4;

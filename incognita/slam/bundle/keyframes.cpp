@@ -1,5 +1,6 @@
 #include "incognita/slam/bundle/keyframes.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -54,6 +55,21 @@ void move_camera(AnyBelief& belief, BlockId body, const BundleView& to, const Vi
   camera.segment<4>(3) = to.world_from_camera;
   if (elapsed_s > 0) camera.tail<6>() += relative / elapsed_s;
   belief.set_mean(body, camera);
+}
+
+/// Moves the landmarks that were not adjusted by what the covariance expects of them, given how the camera moved: the filter moved
+/// them with it before.
+void move_others(Estimate& estimate, BlockId body, const ViewShift& shift,
+                 const std::vector<std::int64_t>& adjusted) {
+  AnyBelief& belief = estimate.belief;
+  const Eigen::LLT<Eigen::Matrix<double, 6, 6>> pose_cov(belief.covariance(body).topLeftCorner<6, 6>());
+  if (pose_cov.info() != Eigen::Success) return;
+  const ViewShift weighted = pose_cov.solve(shift);
+  for (auto& [id, landmark] : estimate.landmarks) {
+    if (!landmark.mapped() || std::ranges::binary_search(adjusted, id)) continue;
+    const SmallVector y = belief.mean(landmark.block);
+    belief.set_mean(landmark.block, y + belief.covariance(landmark.block, body).leftCols<6>() * weighted);
+  }
 }
 
 /// Moves a landmark to the point, if its parametrization can hold that. The initial position stays.
@@ -240,6 +256,9 @@ void Keyframes::move_means(Estimate& estimate, BlockId body, const BundleView& b
   ViewShift relative = now - earlier;
   relative.tail<3>() = now.tail<3>() - last_from_before * earlier.tail<3>();  // the rate is in camera axes
   move_camera(estimate.belief, body, last_view(), relative, elapsed_s());
+  const bool fits_to_references =
+      std::ranges::any_of(ids_, [&](std::int64_t id) { return tracks_.at(id).is_reference; });
+  if (!fits_to_references) move_others(estimate, body, now, ids_);
   for (const std::int64_t id : ids_) {
     const auto landmark = estimate.landmarks.find(id);
     const BundlePoint& point = *tracks_.at(id).point;

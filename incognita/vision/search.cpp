@@ -128,62 +128,32 @@ Extent extent(const Ellipse& ellipse, double max_half_axis_px) {
 
 }  // namespace
 
-namespace {
-
-constexpr int climbed_px = 2;  // to a peak beyond the ellipse
-
-struct Peak {
-  int u, v;
-  double correlation;
-};
-
-/// The best of a pixel and its neighbors.
-Peak best_around(CorrelationSheet& sheet, const Peak& here) {
-  Peak best = here;
-  for (int dv = -1; dv <= 1; ++dv)
-    for (int du = -1; du <= 1; ++du) {
-      const double there = sheet.at(here.u + du, here.v + dv);
-      if (there > best.correlation) best = {here.u + du, here.v + dv, there};
-    }
-  return best;
-}
-
-/// The peak up the slope from the best pixel of an ellipse, whose rim may cut it off: matched there, the feature would be nearer to
-/// its prediction than it is. Nothing if the slope goes on.
-std::optional<Peak> climb(CorrelationSheet& sheet, Peak from) {
-  for (int step = 0; step <= climbed_px; ++step) {
-    const Peak next = best_around(sheet, from);
-    if (next.u == from.u && next.v == from.v) return from;
-    from = next;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 std::optional<Found> search(CorrelationSheet& sheet, const Ellipse& ellipse, double max_half_axis_px) {
   const Extent box = extent(ellipse, max_half_axis_px);
   const Eigen::Matrix2d inverse = ellipse.covariance.inverse();
   const double gate = ellipse.gate_sigmas * ellipse.gate_sigmas;
-  Peak best{0, 0, -2};
+  int best_u = 0, best_v = 0;
+  double best = -2;
   for (int v = box.v_min; v <= box.v_max; ++v)
     for (int u = box.u_min; u <= box.u_max; ++u) {
       const Eigen::Vector2d d(u - ellipse.center.x(), v - ellipse.center.y());
       if (d.dot(inverse * d) > gate) continue;
       const double here = sheet.at(u, v);
-      if (here > best.correlation) best = {u, v, here};
+      if (here > best) {
+        best = here;
+        best_u = u;
+        best_v = v;
+      }
     }
-  if (best.correlation < -1.5) return std::nullopt;
-  const std::optional<Peak> peak = climb(sheet, best);
-  if (!peak) return std::nullopt;
-  return Found{sheet.refine(peak->u, peak->v), peak->correlation};
+  if (best < -1.5) return std::nullopt;
+  return Found{sheet.refine(best_u, best_v), best};
 }
 
 std::optional<Found> search(CorrelationSheet& sheet, const SummedImage& image, const PatchTemplate& patch,
                             const Ellipse& ellipse, double max_half_axis_px) {
   const Extent box = extent(ellipse, max_half_axis_px);
-  constexpr int margin = climbed_px + 1;  // so that a peak can be refined there
-  sheet.start(image, patch, box.u_min - margin, box.u_max + margin, box.v_min - margin, box.v_max + margin);
+  // One more pixel on each side, so that a peak at the border can be refined
+  sheet.start(image, patch, box.u_min - 1, box.u_max + 1, box.v_min - 1, box.v_max + 1);
   return search(sheet, ellipse, max_half_axis_px);
 }
 

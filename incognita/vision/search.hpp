@@ -70,8 +70,8 @@ struct Found {
   double correlation = 0;
 };
 
-/// The best match of the patch inside the ellipse, or up to two pixels beyond, where its rim cuts the peak off: a gate is to decide
-/// then. Nothing when no pixel can be tried, or the correlation still rises there. The caller thresholds `correlation`.
+/// The best match of the patch inside the ellipse; nothing when no pixel in it can be tried. The caller
+/// thresholds `correlation`.
 std::optional<Found> search(CorrelationSheet& sheet, const SummedImage& image, const PatchTemplate& patch,
                             const Ellipse& ellipse, double max_half_axis_px);
 

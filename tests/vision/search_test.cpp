@@ -127,20 +127,6 @@ TEST(Search, FindsDarkCornersWithoutBias) {
   EXPECT_LT((sum / count).cwiseAbs().maxCoeff(), 0.006) << "five standard errors are 0.004 px";
 }
 
-/// The rim of a small ellipse would clamp the match to half a pixel beyond its last pixel, toward the prediction.
-TEST(Search, FollowsAPeakThatTheRimCutsOff) {
-  const Image image = Pattern(5, 35).drawn(120, 100);
-  SummedImage summed;
-  summed.assign(image);
-  CorrelationSheet sheet;
-  const PatchTemplate patch = patch_at(image, 60, 50);
-  const auto near = search(sheet, summed, patch, circle({61.8, 50}, 0.9), 60);
-  ASSERT_TRUE(near);
-  EXPECT_LT((near->pixel - Vector2d(60, 50)).norm(), 0.05);
-  EXPECT_GT(near->correlation, 0.999);
-  EXPECT_FALSE(search(sheet, summed, patch, circle({64.6, 50}, 0.9), 60)) << "the peak is too far to follow";
-}
-
 TEST(Search, IsInvariantToBrightnessAndContrast) {
   const Image before = Pattern(5, 35).drawn(120, 100), after = Pattern(5, 14).drawn(120, 100, 3, 2, 170);
   SummedImage summed;
@@ -179,14 +165,12 @@ TEST(Search, IgnoresABetterMatchOutsideTheEllipse) {
   EXPECT_LT((shorter->pixel - Vector2d(55, 45)).norm(), 0.7) << "not further out than commanded";
 }
 
-/// Where that is no peak, the search goes up to two pixels on, or finds none.
 TEST(Search, IsTheMaximumOverTheEllipse) {
   const Image image = Pattern(9, 30).drawn(120, 100);
   const PatchTemplate patch = patch_at(Pattern(10, 30).drawn(60, 60), 30, 30);
   SummedImage summed;
   summed.assign(image);
   RandomStream random(11, "ellipses");
-  int peaks = 0;
   for (int trial = 0; trial < 40; ++trial) {
     Matrix2d A;
     for (int i = 0; i < 4; ++i) A(i) = random.uniform(-4, 4);
@@ -204,20 +188,11 @@ TEST(Search, IsTheMaximumOverTheEllipse) {
           at = Vector2d(u, v);
         }
     const auto found = search(sheet, summed, patch, ellipse, 60);
-    const int u = static_cast<int>(at.x()), v = static_cast<int>(at.y());
-    bool is_peak = best > -2;
-    for (int k = 0; k < 9 && is_peak; ++k) is_peak = all.at(u + k % 3 - 1, v + k / 3 - 1) <= best;
-    peaks += is_peak;
-    if (is_peak) {
-      ASSERT_TRUE(found);
-      EXPECT_EQ(found->correlation, best);
-      EXPECT_LE((found->pixel - at).cwiseAbs().maxCoeff(), 0.5);
-    } else if (found) {
-      EXPECT_GT(found->correlation, best);
-      EXPECT_LE((found->pixel - at).cwiseAbs().maxCoeff(), 2.5);
-    }
+    ASSERT_EQ(found.has_value(), best > -2);
+    if (!found) continue;
+    EXPECT_EQ(found->correlation, best);
+    EXPECT_LE((found->pixel - at).cwiseAbs().maxCoeff(), 0.5);
   }
-  EXPECT_GT(peaks, 10);
 }
 
 TEST(Search, PixelsSharedByTwoEllipsesAreComputedOnce) {
@@ -227,14 +202,14 @@ TEST(Search, PixelsSharedByTwoEllipsesAreComputedOnce) {
   summed.assign(image);
   CorrelationSheet sheet;
   sheet.start(summed, patch, 0, 119, 0, 99);
-  const Ellipse one = circle({32, 31}, 10), other = circle({36, 34}, 10);
+  const Ellipse one = circle({60, 50}, 10), other = circle({66, 53}, 10);
   int first = 0, both = 0;
   for (int v = 0; v < 100; ++v)
     for (int u = 0; u < 120; ++u) {
       first += inside(one, u, v);
       both += inside(one, u, v) || inside(other, u, v);
     }
-  constexpr int neighbors = 8;  // of the maximum, for the quadratic
+  constexpr int neighbors = 4;  // neighbors of the maximum, for the parabola
   EXPECT_EQ(sheet.computed(), 0);
   ASSERT_TRUE(search(sheet, one, 60));
   EXPECT_GE(sheet.computed(), first);

@@ -1,19 +1,15 @@
 // Trials of loop closure: a camera looks out of a circle in a rendered room and turns around more than twice. The estimator is
-// told a focal length that is wrong by some percent, so that its heading is wrong by as many percent of each turn, which its
+// given a focal length with an error of some percent, so that its heading errs by as many percent of each turn, which its
 // covariance does not know. Landmarks of the first turn then return beside where they are expected.
-//
-//   loop_trials [--rooms N] [--seed N] [--focal-error E] [--turns N] [--frames] [--set key=value]...
-// `--focal-error 0.02`: 2 % longer than it is; 0: no drift, and no loop should be closed beyond the filter's own. `--frames`:
-// with every tenth frame. `--set`: of the scenario, for world and estimator.
 //
 // One line per room, with and without loop closure: loops closed, frames lost, error of the trajectory after a similarity
 // transform, and the slowest frame; then totals.
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -38,31 +34,6 @@ struct Wanted {
   std::vector<std::string> sets;
 };
 
-Wanted wanted_by(int argc, char** argv) {
-  Wanted out;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const auto value = [&] { return std::string(i + 1 < argc ? argv[++i] : "0"); };
-    if (word == "--rooms")
-      out.rooms = std::stoi(value());
-    else if (word == "--seed")
-      out.first_seed = std::stoull(value());
-    else if (word == "--focal-error")
-      out.focal_error = std::stod(value());
-    else if (word == "--turns")
-      out.turns = std::stod(value());
-    else if (word == "--frames")
-      out.frames = true;
-    else if (word == "--set")
-      out.sets.push_back(value());
-    else {
-      std::cerr << word << ": unknown option; see the head of bench/loop_trials.cpp\n";
-      std::exit(2);
-    }
-  }
-  return out;
-}
-
 struct Folder {
   std::filesystem::path path =
       std::filesystem::temp_directory_path() / fmt::format("incognita-loop-trials-{}", getpid());
@@ -80,13 +51,13 @@ struct Outcome {
   double ate_m = 0, worst_ms = 0;
 };
 
-/// Error of the heading since the first frame, rad.
-double heading_error(const Trajectory& estimated, const Trajectory& truth) {
+/// Error of the rotation since the first frame, rad; in the axes of the camera, since the worlds differ.
+double rotation_error(const Trajectory& estimated, const Trajectory& truth) {
   const auto turned = [](const Trajectory& t) {
-    return quaternion_product<double>(t.back().orientation, quaternion_conjugate(t.front().orientation));
+    return quaternion_product<double>(quaternion_conjugate(t.front().orientation), t.back().orientation);
   };
-  // The world of the estimate is that of the first camera, turned
-  return quaternion_log(turned(estimated)).norm() - quaternion_log(turned(truth)).norm();
+  return quaternion_log(quaternion_product<double>(quaternion_conjugate(turned(truth)), turned(estimated)))
+      .norm();
 }
 
 /// Scale of the estimate over the last second; it begins with any, and should stay.
@@ -97,7 +68,7 @@ double scale(const Trajectory& estimated, const Trajectory& truth) {
 }
 
 void print_frame(const Estimate& estimate, const TrackedCamera& camera, double error_rad, double scale) {
-  fmt::print("  {:.2f} s: {}, {} of {} matched, {} landmarks, heading off by {:.3f} rad, scale {:.3f}{}\n",
+  fmt::print("  {:.2f} s: {}, {} of {} matched, {} landmarks, rotation off by {:.3f} rad, scale {:.3f}{}\n",
              estimate.body().t, name(estimate.status.state), camera.matched, camera.predicted,
              camera.features.size(), error_rad, scale, estimate.last.loop_closed ? ", LOOP CLOSED" : "");
 }
@@ -121,7 +92,7 @@ Outcome run(LoopParts& world, Estimator& estimator, bool frames) {
     truth_of.push_back({tick.t, pose.position, pose.world_from_body});
     if (frames && (tick.frame % 10 == 0 || estimate.last.loop_closed))
       print_frame(estimate, dynamic_cast<const SlamEstimator&>(estimator).cameras()[0].camera(),
-                  heading_error(estimated, truth_of), scale(estimated, truth_of));
+                  rotation_error(estimated, truth_of), scale(estimated, truth_of));
   }
   const auto alignment = align({estimated, truth_of}, AlignmentKind::sim3);
   out.ate_m = alignment ? absolute_trajectory_error({aligned(estimated, *alignment), truth_of}).rmse : NAN;
@@ -168,8 +139,20 @@ int trials(const Wanted& wanted) {
 }  // namespace incognita
 
 int main(int argc, char** argv) {
+  incognita::Wanted wanted;
+  CLI::App app(
+      "Trials of loop closure: a camera turns around in rendered rooms, with an error of its focal length");
+  app.footer("Example: loop_trials --rooms 10 --seed 201 --focal-error 0.01");
+  app.add_option("--rooms", wanted.rooms, "Number of rooms")->check(CLI::PositiveNumber);
+  app.add_option("--seed", wanted.first_seed, "Seed of the first room");
+  app.add_option("--focal-error", wanted.focal_error,
+                 "Of the estimator's focal length, relative; 0: no drift");
+  app.add_option("--turns", wanted.turns, "Of the camera")->check(CLI::PositiveNumber);
+  app.add_option("--set", wanted.sets, "KEY=VALUE of the scenario, for world and estimator");
+  app.add_flag("--frames", wanted.frames, "Print every tenth frame");
+  CLI11_PARSE(app, argc, argv);
   try {
-    return incognita::trials(incognita::wanted_by(argc, argv));
+    return incognita::trials(wanted);
   } catch (const std::exception& error) {
     std::cerr << error.what() << "\n";
     return 2;

@@ -26,8 +26,8 @@ inline std::string trajectory(double turns) {
   return text;
 }
 
-/// With the trajectory in the file turning.tum beside it. The focal length is focal_px in the world; what the estimator is told may
-/// differ.
+/// With the trajectory in the file turning.tum beside it. The focal length is focal_px in the world; that of the estimator
+/// may differ. `focal`: px.
 inline std::string scenario(double turns, double focal) {
   return fmt::format(
       "[run]\nduration_s = {}\nrate_hz = {}\n[motion]\ntype = \"trajectory\"\nfile = \"turning.tum\"\n"

@@ -1,4 +1,4 @@
-// A camera turns around in a rendered room, with a focal length that is wrong by one percent: its heading then is by as much of
+// A camera turns around in a rendered room, with an error of one percent of the focal length: its heading then errs by as much of
 // the turn, which its covariance does not know. Ten rooms and other errors: bench/loop_trials.cpp.
 #include <gtest/gtest.h>
 

@@ -57,15 +57,15 @@ void move_camera(AnyBelief& belief, BlockId body, const BundleView& to, const Vi
   belief.set_mean(body, camera);
 }
 
-/// Moves the landmarks that were not adjusted by what the covariance expects of them, given how the camera moved: the filter moved
-/// them with it before.
+/// Moves the landmarks that were not adjusted to their means given that the pose errors are `shift`, P_lc P_cc^-1 shift: as the filter
+/// moved them with the camera before.
 void move_others(Estimate& estimate, BlockId body, const ViewShift& shift,
                  const std::vector<std::int64_t>& adjusted) {
   AnyBelief& belief = estimate.belief;
   const Eigen::LLT<Eigen::Matrix<double, 6, 6>> pose_cov(belief.covariance(body).topLeftCorner<6, 6>());
   if (pose_cov.info() != Eigen::Success) return;
   const ViewShift weighted = pose_cov.solve(shift);
-  for (auto& [id, landmark] : estimate.landmarks) {
+  for (const auto& [id, landmark] : estimate.landmarks) {
     if (!landmark.mapped() || std::ranges::binary_search(adjusted, id)) continue;
     const SmallVector y = belief.mean(landmark.block);
     belief.set_mean(landmark.block, y + belief.covariance(landmark.block, body).leftCols<6>() * weighted);
@@ -193,7 +193,7 @@ void Keyframes::forget_before(int first_free) {
       if (seen.view < first_free) kept.insert({seen.view, views_.at(seen.view)});
   }
   views_ = std::move(kept);
-  std::erase_if(times_, [&](const auto& item) { return !views_.contains(item.first); });
+  times_.erase(times_.begin(), times_.lower_bound(first_free));
 }
 
 /// The views of the points of the bundle; those before `first_free` are fixed.
@@ -256,6 +256,7 @@ void Keyframes::move_means(Estimate& estimate, BlockId body, const BundleView& b
   ViewShift relative = now - earlier;
   relative.tail<3>() = now.tail<3>() - last_from_before * earlier.tail<3>();  // the rate is in camera axes
   move_camera(estimate.belief, body, last_view(), relative, elapsed_s());
+  // Fitted to references, the camera moved in the map, and the map stays
   const bool fits_to_references =
       std::ranges::any_of(ids_, [&](std::int64_t id) { return tracks_.at(id).is_reference; });
   if (!fits_to_references) move_others(estimate, body, now, ids_);
@@ -289,9 +290,10 @@ AdjustmentReport Keyframes::adjust(Estimate& estimate, BlockId body, const Camer
 
 std::vector<PastPose> Keyframes::window() const {
   std::vector<PastPose> poses;
-  const int first = std::max(0, last() + 1 - window_);
-  for (auto view = views_.lower_bound(first); view != views_.end(); ++view)
-    poses.push_back({times_.at(view->first), {view->second.position, view->second.world_from_camera}});
+  for (const auto& [number, t] : times_) {
+    const BundleView& view = views_.at(number);
+    poses.push_back({t, {view.position, view.world_from_camera}});
+  }
   return poses;
 }
 

@@ -50,8 +50,9 @@ class Keyframes {
   /// Adds a landmark that begins in the last keyframe, with the prior that the belief began with.
   void add_new(const KeyframeMatch& match, const DepthPrior& prior);
 
-  /// Adjusts the last `window` keyframes and the landmarks seen in them, and moves the means of the belief. `body`: the free
-  /// camera, in the last keyframe. Its velocity and rate follow from the change relative to the keyframe before. If the
+  /// Adjusts the last `window` keyframes and the landmarks seen in them, and moves the means of the belief: of the other landmarks as
+  /// the covariance expects, given how the camera moved, unless the keyframes fit to references. `body`: the free camera, in the last
+  /// keyframe. Its velocity and rate follow from the change relative to the keyframe before. If the
   /// adjustment is refused, the belief stays as it is.
   AdjustmentReport adjust(Estimate& estimate, BlockId body, const Camera& camera,
                           const AdjustmentSettings& settings, const DepthPrior& prior, int window);
@@ -104,7 +105,7 @@ class Keyframes {
   void move_means(Estimate& estimate, BlockId body, const BundleView& before) const;
 
   std::map<int, BundleView> views_;       ///< by number; older ones if a landmark was seen there
-  std::map<int, double> times_;           ///< s, of the views
+  std::map<int, double> times_;           ///< s, of the views of the window
   std::map<std::int64_t, Track> tracks_;  ///< by landmark
   BundleView first_view_;                 ///< prior of view 0
   Eigen::Matrix<double, 6, 6> first_view_cov_ = Eigen::Matrix<double, 6, 6>::Zero();

@@ -1,7 +1,7 @@
 # Draws the figure of docs/consistency.md:
-#   gnuplot -e "folder='FOLDER'; room='RUNS'" experiments/patch_error.gp
-# FOLDER/now.csv, facing.csv, peak.csv are by build/patch_error; RUNS and FOLDER/campaign/runs.csv are of campaigns with the
-# NEES of every seed, the default and the two other ways. docs/numbers.toml has the commands.
+#   gnuplot -e "folder='FOLDER'" experiments/patch_error.gp
+# FOLDER/now.csv, facing.csv, peak.csv are by build/patch_error; FOLDER/now/runs.csv and FOLDER/campaign/runs.csv are of
+# campaigns with the NEES of every seed, the default and the two other ways. docs/numbers.toml has the commands.
 set terminal svg size 900,340 font "sans,12" background "white"
 set output folder.'/patch-error.svg'
 set datafile separator ","
@@ -26,5 +26,5 @@ nees(word) = strstrt(strcol("variant"), word) > 0 ? column("mean_nees") : NaN
 plot 1 with lines lc rgb "#999999" notitle, \
      campaign using (column("seed")):(nees("peak")) with points pt 7 ps 0.6 lc rgb "#c0392b" notitle, \
      campaign using (column("seed")):(nees("edges")) with points pt 7 ps 0.6 lc rgb "#e69f00" notitle, \
-     room using (column("seed")):(column("mean_nees")) with points pt 7 ps 0.6 lc rgb "#0072b2" notitle
+     folder.'/now/runs.csv' using (column("seed")):(column("mean_nees")) with points pt 7 ps 0.6 lc rgb "#0072b2" notitle
 unset multiplot

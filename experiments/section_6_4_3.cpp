@@ -36,7 +36,7 @@ Plot vehicle_figure(const Run& run) {
 
 LedgerEntry run(const ExperimentSettings& all_seeds) {
   const ExperimentSettings settings = half_of(all_seeds);  // five ways
-  // On ground that rolls the vehicle to both sides, 0.4 px, as in the room, makes the filter overconfident (NEES 2 to 9)
+  // On ground that rolls the vehicle to both sides, 0.4 px makes the filter overconfident (NEES 2 to 9)
   const auto runs_with = [&](const std::vector<Strategy>& strategies) {
     return runs_of_all("explore-terrain", with(thesis_features("1"), strategies), settings, fresh_rooms);
   };

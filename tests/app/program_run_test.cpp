@@ -91,7 +91,9 @@ int matches_with(const std::filesystem::path& run, const std::string& kind, cons
 // matched
 TEST(ProgramRun, DepthLinesConvergeToPoints) {
   const Scratch scratch;
-  const Words lines = {"--set", "landmark_initialization.method=depth-line"};
+  const Words lines = {"--set", "landmark_initialization.method=depth-line",
+                       "--set", "sensor.sigma_pixel_px=0.4",
+                       "--set", "sensor.sigma_lasting_px=0"};
   ASSERT_EQ(testing::incognita(room_for("10", "run", lines), scratch.folder()).code, 0);
   const auto run = scratch.folder() / "run";
   const nlohmann::json summary = testing::summary_of(run);

@@ -210,6 +210,12 @@ TEST(SingleCamera, RefusesSettingsThatCannotBe) {
               s.filter.adapt_sigma_pixel = false;
             }),
             "accepted");
+  EXPECT_NE(refusal([](auto& s) {
+              s.filter.sigma_lasting_px = 0.1;
+              s.filter.adapt_sigma_pixel = false;
+              s.initialization.method = InitializationSettings::Method::depth_line;
+            }).find("take sensor.sigma_lasting_px = 0"),
+            std::string::npos);
   EXPECT_EQ(refusal([](auto& s) { s.filter.sigma_pixel_px = 0; }),
             "sensor.sigma_pixel_px = 0: must be more than 0, and finite");
   EXPECT_EQ(refusal([](auto& s) { s.filter.sigma_acceleration_m_s2 = -1; }),

@@ -188,13 +188,13 @@ void image_estimator(SettingReader& r, Scenario& s) {
   r.section("sensor");
   r.some(s.slam.filter, &FilterSettings::sigma_pixel_px, &FilterSettings::adapt_sigma_pixel,
          &FilterSettings::sigma_lasting_px, &FilterSettings::lasting_time_s);
-  if (!s.is_room_vehicle()) {
-    r.section("estimator");
-    r.some(s.slam.filter, &FilterSettings::invariant);
-  }
   r.section("search");
   r.all(s.slam.search);
   landmark_initialization(r, s.slam.initialization);
+  if (!s.is_room_vehicle() && s.slam.initialization.method != InitializationSettings::Method::depth_line) {
+    r.section("estimator");
+    r.some(s.slam.filter, &FilterSettings::invariant);
+  }
   r.section("map");
   r.all(s.slam.map);
   r.section("bundle");

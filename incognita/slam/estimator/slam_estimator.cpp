@@ -42,6 +42,9 @@ std::string problem_of_camera(const FeatureTracker& camera, const EstimatorSetti
     return "estimator.invariant is derived for inverse depths and points: take landmark_initialization.method = "
            "`inverse-depth`, or estimator.invariant = false";
   const bool lasts = c.settings.filter.sigma_lasting_px > 0;
+  if (lasts && c.settings.initialization.method == InitializationSettings::Method::depth_line)
+    return "depth hypotheses on a line take all errors of matches for white: take sensor.sigma_lasting_px = 0 and a "
+           "sensor.sigma_pixel_px that covers them, e.g. 0.4, or landmark_initialization.method = `inverse-depth`";
   if (lasts && c.settings.filter.adapt_sigma_pixel)
     return "sensor.adapt_sigma_pixel follows all of the error of a match, also what sensor.sigma_lasting_px stands for: set one of "
            "them to false or 0";

@@ -13,7 +13,6 @@ namespace {
 constexpr std::size_t least_matches = 8;
 constexpr double frames_averaged = 30;
 constexpr double least_px = 0.25, most_px = 2;  // with a larger one hardly any match is refused
-constexpr double least_radius_px = 0.75;        // of a search ellipse: a smaller one may hold no pixel
 constexpr double gate_sigmas = 3;
 constexpr double most_correlation = 0.95;
 constexpr double pose_errors = 6;  // numbers that each frame fits to its matches
@@ -37,8 +36,7 @@ void PixelNoise::update(const Estimate& estimate, TrackedCamera& camera) {
   const double rows = 2 * static_cast<double>(squares_.size());
   const double now = residual_var * rows / (rows - pose_errors);
   const double var = camera.pixel_var() + (now - camera.pixel_var()) / frames_averaged;
-  const double least = std::max(least_px, least_radius_px / camera.settings.search.gate_sigmas);
-  camera.sigma_pixel_px = std::clamp(std::sqrt(var), least, std::max(least, most_px));
+  camera.sigma_pixel_px = std::clamp(std::sqrt(var), least_px, most_px);
   update_lasting(camera);
 }
 

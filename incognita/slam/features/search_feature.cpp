@@ -1,8 +1,10 @@
 #include "incognita/slam/features/search_feature.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace incognita {
 namespace {
@@ -28,14 +30,16 @@ Ellipse ellipse_at_level(const Ellipse& ellipse, int level) {
           ellipse.gate_sigmas};
 }
 
-/// Where a feature is searched for: not in less than the pixel nearest to the prediction.
+/// Where a feature is searched for: every pixel that is nearest to a point within the gate. Without the half pixel diagonal, the
+/// rim would cut peaks off, and the match would be nearer to its prediction than the feature is.
 Ellipse ellipse_of(const FeatureMatch& match, const SearchSettings& settings) {
-  constexpr double least_px = 0.75;  // half axis, slightly more than half a pixel diagonal
-  const double least_var = std::pow(least_px / settings.gate_sigmas, 2);
-  const Eigen::Matrix2d& S = match.innovation_cov;
-  const double middle = 0.5 * S.trace(),
-               smallest = middle - std::sqrt(std::max(0.0, middle * middle - S.determinant()));
-  return {match.predicted, S + std::max(0.0, least_var - smallest) * Eigen::Matrix2d::Identity(),
+  const double half_diagonal_px = std::numbers::sqrt2 / 2;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+  axes.computeDirect(match.innovation_cov);
+  const Eigen::Array2d sigmas =
+      axes.eigenvalues().array().max(0).sqrt() + half_diagonal_px / settings.gate_sigmas;
+  const Eigen::Matrix2d& directions = axes.eigenvectors();
+  return {match.predicted, directions * sigmas.square().matrix().asDiagonal() * directions.transpose(),
           settings.gate_sigmas};
 }
 

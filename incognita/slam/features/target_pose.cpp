@@ -254,11 +254,13 @@ std::vector<Eigen::Vector2d> to_edges(const Image& image, const std::vector<Eige
 }
 
 /// Whether both poses of a flat target fit the pixels and are far apart: from a distance and nearly frontal,
-/// only noise distinguishes them.
+/// only noise distinguishes them. In a single image, of which nothing is known yet, a corner may be off by more than the noise.
 bool two_fit(const std::vector<TargetPose>& poses, double sigma_pixel_px) {
+  constexpr double least_sigma_px = 0.4;
   if (poses.size() < 2) return false;
   const double worse = std::pow(poses[1].rms_px, 2) - std::pow(poses[0].rms_px, 2);
-  return static_cast<double>(poses[0].pixels.size()) * worse < std::pow(gate_sigmas * sigma_pixel_px, 2) &&
+  return static_cast<double>(poses[0].pixels.size()) * worse <
+             std::pow(gate_sigmas * std::max(least_sigma_px, sigma_pixel_px), 2) &&
          (poses[0].position - poses[1].position).norm() > 2 * max_sigma_m;
 }
 

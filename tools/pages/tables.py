@@ -70,12 +70,14 @@ def car_row(results: Results, folder: str) -> str:
             f"{both:.2f} | {filter_sigma:.2f} |")
 
 
-def camera_row(results: Results, folder: str) -> str:
+def camera_row(results: Results, folder: str, settings: str) -> str:
     """Ranks of a camera without a target, and what it wrongly takes for known."""
     report = results.summary(folder)["observability"]
     turn, scale = results.direction(folder, "rotation about z"), results.direction(folder, "scale")
-    return (f"| `{folder.removeprefix('free-')}` | {report['rank']} | {report['ideal_rank']} | {report['errors']} | "
-            f"{report['spurious_information']} | {math.degrees(turn['sigma_from_measurements']):.2f} | "
+    measured = turn["sigma_from_measurements"]
+    return (f"| {settings} | {report['rank']} | {report['ideal_rank']} | {report['errors']} | "
+            f"{report['spurious_information']} | {report['by_motion_model']} | "
+            f"{'-' if measured is None else f'{math.degrees(measured):.2f}'} | "
             f"{percent(scale['sigma_from_measurements'], 1)}, {percent(scale['estimated_sigma'], 1)} |")
 
 

@@ -30,16 +30,16 @@ Ellipse ellipse_at_level(const Ellipse& ellipse, int level) {
           ellipse.gate_sigmas};
 }
 
-/// Where a feature is searched for: every pixel that is nearest to a point within the gate. Without the half pixel diagonal, the
-/// rim would cut peaks off, and the match would be nearer to its prediction than the feature is.
+/// Where a feature is searched for. A small ellipse is widened by half a pixel diagonal: its rim would cut peaks off whose nearest
+/// pixel lies outside, and the match would be nearer to its prediction than the feature is.
 Ellipse ellipse_of(const FeatureMatch& match, const SearchSettings& settings) {
-  const double half_diagonal_px = std::numbers::sqrt2 / 2;
+  const double half_diagonal = std::numbers::sqrt2 / 2 / settings.gate_sigmas;  // in px per sigma of the gate
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
   axes.computeDirect(match.innovation_cov);
-  const Eigen::Array2d sigmas =
-      axes.eigenvalues().array().max(0).sqrt() + half_diagonal_px / settings.gate_sigmas;
+  const Eigen::Array2d sigmas = axes.eigenvalues().array().max(0).sqrt();
+  const Eigen::Array2d widened = sigmas.max((sigmas + half_diagonal).min(2 * half_diagonal));
   const Eigen::Matrix2d& directions = axes.eigenvectors();
-  return {match.predicted, directions * sigmas.square().matrix().asDiagonal() * directions.transpose(),
+  return {match.predicted, directions * widened.square().matrix().asDiagonal() * directions.transpose(),
           settings.gate_sigmas};
 }
 

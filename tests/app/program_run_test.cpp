@@ -105,6 +105,16 @@ TEST(ProgramRun, DepthLinesConvergeToPoints) {
   EXPECT_GT(matches_with(run, "landmark", "matched"), 500);
 }
 
+/// Errors that last are states for each possible match: the state is too large for the analysis from the first image on.
+TEST(ProgramRun, SaysThatTheStateIsTooLargeForItsObservability) {
+  const Scratch scratch;
+  const Words many = {"--set", "search.max_measurements=250"};
+  ASSERT_EQ(testing::incognita(room_for("1", "run", many), scratch.folder()).code, 0);
+  const nlohmann::json report = testing::summary_of(scratch.folder() / "run")["observability"];
+  EXPECT_EQ(report["followed"], false);
+  EXPECT_HAS(report["why_not"].get<std::string>(), "more than 900 errors");
+}
+
 /// The smallest distance in px between two matches of map features in one frame.
 double nearest_matches(const std::filesystem::path& run) {
   std::map<std::string, std::vector<std::pair<double, double>>> by_frame;

@@ -284,6 +284,13 @@ TEST(Confirms, IfTheMissedMatchWithThoseThatDrifted) {
       << "five of six, where six are needed";
   EXPECT_FALSE(confirmed([](TrackedCamera& c) { c.matches[0].outcome = MatchOutcome::outlier; }))
       << "seven of eight tracked";
+  const auto without = [](int first) {
+    return [first](TrackedCamera& c) {
+      for (int id = first; id < 8; ++id) c.matches[id].outcome = MatchOutcome::not_searched;
+    };
+  };
+  EXPECT_TRUE(confirmed(without(4)));
+  EXPECT_FALSE(confirmed(without(3))) << "three of eight tracked were searched for again";
 }
 
 TEST(Confirms, NotAgainstAKnownPosition) {

@@ -135,9 +135,15 @@ bool ObservabilityWatch::exceeds_limit(const Estimate& estimate) {
 }
 
 void ObservabilityWatch::follow(const Estimate& estimate) {
-  if (!estimate.started || exceeds_limit(estimate)) return;
+  if (!estimate.started) return;
   const bool in_space =
       estimate.belief.chart(estimate.body().block).ambient() == FreeCameraMotion::state_size;
+  if (exceeds_limit(estimate)) {
+    // From the first tick on: the report still says what the sensors and anchors allow
+    if (!std::holds_alternative<std::monostate>(scene_)) return;
+    use_anchors(estimate);
+    return in_space ? put(spatial_scene_of(estimate, nullptr)) : put(PlanarScene{});
+  }
   if (in_space)
     follow_camera(estimate);
   else

@@ -24,8 +24,11 @@ constexpr double most_drift_depths = 0.3, most_turn_rad = 0.3;
 constexpr double least_drift_rad = 0.02;
 constexpr double least_missed_share = 0.5,
                  most_lost_share = 0.1;  // of the missed found, of the tracked lost by the correction
+constexpr double least_searched_share =
+    0.5;  // of the tracked: the missed, less certain, are searched for first
 
-/// Searched for in this frame, or in an earlier one of this visit: failed searches make further ones less urgent.
+/// Not found in this frame, or not searched for in it after it was in view in earlier ones: failed searches make further ones less
+/// urgent.
 bool is_missed(const FeatureMatch& match, const TrackedCamera& camera) {
   const Feature& feature = camera.features.at(match.id);
   const bool was_searched = match.outcome == MatchOutcome::not_searched && feature.frames_since_return() > 0;
@@ -184,7 +187,7 @@ bool confirms(const ClosedLoop& loop, const TrackedCamera& corrected, const Trac
   if (returned < corrected.settings.relocalization.min_matches ||
       static_cast<double>(returned) < least_missed_share * static_cast<double>(loop.missed.size()))
     return false;
-  int tracked = 0, lost = 0;
+  int tracked = 0, searched = 0, lost = 0;
   for (const FeatureMatch& match : before.matches) {
     if (match.outcome != MatchOutcome::matched) continue;
     const MatchOutcome now = outcome_of(match.id, corrected);
@@ -193,9 +196,10 @@ bool confirms(const ClosedLoop& loop, const TrackedCamera& corrected, const Trac
     const bool drifted =
         std::ranges::find(loop.landmarks, match.id, &DriftingLandmark::id) != loop.landmarks.end();
     tracked += drifted;
+    searched += drifted && (is_lost || now == MatchOutcome::matched);
     lost += drifted && is_lost;
   }
-  return lost <= most_lost_share * tracked;
+  return searched >= least_searched_share * tracked && lost <= most_lost_share * searched;
 }
 
 }  // namespace incognita

@@ -55,7 +55,7 @@ class LoopClosure {
 void move_views(TrackedCamera& camera, const ClosedLoop& loop);
 
 /// Whether, searched again after the correction, most landmarks that were missed match, and hardly any that drifted and matched
-/// `before` does no longer.
+/// `before` does no longer; of these, at least half must have been searched for again.
 bool confirms(const ClosedLoop& loop, const TrackedCamera& corrected, const TrackedCamera& before);
 
 }  // namespace incognita

@@ -141,7 +141,7 @@ struct FrameReport {
   bool refused = false;             ///< an update or a fix was not usable within rounding
   bool association_capped = false;  ///< the joint search reached its node limit
   int iterations = 0;               ///< of the iterated update
-  bool loop_closed = false;         ///< a drift was taken back, drift.hpp
+  bool loop_closed = false;         ///< a drift was corrected, drift.hpp
 
   /// Back to the initial values; the memory of the lists is kept.
   void restart() {

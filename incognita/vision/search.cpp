@@ -1,10 +1,12 @@
 #include "incognita/vision/search.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace incognita {
 
@@ -127,6 +129,17 @@ Extent extent(const Ellipse& ellipse, double max_half_axis_px) {
 }
 
 }  // namespace
+
+Ellipse with_nearest_pixels(const Ellipse& gate) {
+  const double half_diagonal = std::numbers::sqrt2 / 2 / gate.gate_sigmas;  // px per sigma of the gate
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+  axes.computeDirect(gate.covariance);
+  const Eigen::Array2d sigmas = axes.eigenvalues().array().max(0).sqrt();
+  const Eigen::Array2d widened = sigmas.max((sigmas + half_diagonal).min(2 * half_diagonal));
+  const Eigen::Matrix2d& directions = axes.eigenvectors();
+  return {gate.center, directions * widened.square().matrix().asDiagonal() * directions.transpose(),
+          gate.gate_sigmas};
+}
 
 std::optional<Found> search(CorrelationSheet& sheet, const Ellipse& ellipse, double max_half_axis_px) {
   const Extent box = extent(ellipse, max_half_axis_px);

@@ -110,6 +110,38 @@ TEST(SingleCamera, TracksAlikeWhateverItsFirstTick) {
   EXPECT_EQ(covariances[0], covariances[1]);
 }
 
+/// A fixed number of states is reserved for errors that last: no more than the map can have landmarks to lend them to.
+TEST(SingleCamera, ReservesNoMoreLastingErrorsThanTheMapHasLandmarks) {
+  const auto reserved = [](int most_measurements) {
+    CameraSlamSettings settings;
+    settings.filter.sigma_lasting_px = 0.1;
+    settings.filter.adapt_sigma_pixel = false;
+    settings.map.max_landmarks = 30;
+    settings.search.max_measurements = most_measurements;
+    SlamEstimator tracking = estimator(settings);
+    Estimate estimate;
+    tracking.update(estimate, {}, seeing(blocks(1)), tick(0, 0, 0));
+    return estimate.lasting_errors.size();
+  };
+  EXPECT_EQ(reserved(20), 40u) << "two for each match";
+  EXPECT_EQ(reserved(10000), 60u);
+}
+
+/// What returns to view and is missed stays in the map only where a loop can be closed with it.
+TEST(SingleCamera, ClosesLoopsOnlyWithAllCorrelations) {
+  const auto closes = [](Decorrelation decorrelate) {
+    EstimatorSettings settings;
+    settings.bodies = {free_camera_body({})};
+    settings.filter.decorrelate = decorrelate;
+    std::vector<FeatureTracker> cameras;
+    cameras.emplace_back(camera, CameraSlamSettings{}, CameraPlacement{}, 1);
+    const SlamEstimator tracking(std::move(settings), std::move(cameras));
+    return tracking.cameras()[0].camera().settings.relocalization.close_loops;
+  };
+  EXPECT_TRUE(closes(Decorrelation::nothing));
+  EXPECT_FALSE(closes(Decorrelation::map));
+}
+
 /// The alignment of whole images takes a shadow that sweeps over the scene for a turn of the camera. The search without it finds
 /// more features.
 TEST(SingleCamera, AMovingShadowIsNoTurn) {

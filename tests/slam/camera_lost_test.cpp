@@ -283,6 +283,7 @@ struct TwoCameras {
 
 TEST(CameraLost, DoesNotDisturbTheOtherBodiesOfATeam) {
   TwoCameras t;
+  EXPECT_FALSE(t.estimator.cameras()[0].camera().settings.relocalization.close_loops) << "of one camera only";
   for (int i = 0; i < 12; ++i) t.see(false);
   ASSERT_EQ(t.estimate.status.state, TrackingState::tracking) << t.estimate.status.reason;
   for (int i = 0; i < 15; ++i) {

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "incognita/math/random.hpp"
 #include "tests/vision/pattern.hpp"
@@ -193,6 +195,38 @@ TEST(Search, IsTheMaximumOverTheEllipse) {
     EXPECT_EQ(found->correlation, best);
     EXPECT_LE((found->pixel - at).cwiseAbs().maxCoeff(), 0.5);
   }
+}
+
+/// Of points in gates of these half axes at random places and angles, the share whose nearest pixel is searched.
+double share_searched(double long_px, double short_px, bool widened) {
+  RandomStream random(13, "gates");
+  constexpr int gates = 400, points = 50;
+  int searched = 0;
+  for (int i = 0; i < gates; ++i) {
+    const double angle = random.uniform(0, std::numbers::pi);
+    const Matrix2d turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+    const Matrix2d axes = turn * Vector2d(long_px, short_px).asDiagonal() / 3;
+    const Ellipse gate{{random.uniform(10, 11), random.uniform(10, 11)}, axes * axes.transpose(), 3};
+    const Ellipse where = widened ? with_nearest_pixels(gate) : gate;
+    for (int k = 0; k < points; ++k) {
+      const double on = random.uniform(0, 2 * std::numbers::pi), of = std::sqrt(random.uniform(0, 1));
+      const Vector2d peak = gate.center + 3 * of * axes * Vector2d(std::cos(on), std::sin(on));
+      const Vector2d pixel = peak.array().round();
+      searched += inside(where, pixel.x(), pixel.y());
+    }
+  }
+  return static_cast<double>(searched) / (gates * points);
+}
+
+TEST(Search, CoversThePixelsNearestToPeaksInSmallAndThinGates) {
+  EXPECT_EQ(share_searched(0.01, 0.01, true), 1);
+  EXPECT_EQ(share_searched(0.5, 0.5, true), 1);
+  EXPECT_GT(share_searched(1, 1, true), 0.98);
+  EXPECT_GT(share_searched(6, 0.2, true), 0.97);
+  EXPECT_GT(share_searched(20, 0.05, true), 0.95) << "all but the ends";
+  EXPECT_LT(share_searched(6, 0.2, false), 0.4) << "what is repaired";
+  const Ellipse large{{10, 10}, Matrix2d::Identity(), 3};
+  EXPECT_TRUE(with_nearest_pixels(large).covariance.isApprox(large.covariance, 1e-12));
 }
 
 TEST(Search, PixelsSharedByTwoEllipsesAreComputedOnce) {

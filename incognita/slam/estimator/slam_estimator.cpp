@@ -79,8 +79,11 @@ SlamEstimator::SlamEstimator(EstimatorSettings settings, std::vector<FeatureTrac
   const std::string problem = problem_of(settings_, cameras_);
   if (!problem.empty()) throw std::invalid_argument(problem);
   for (std::size_t k = 0; k < cameras_.size(); ++k) cameras_[k].set_index(static_cast<int>(k));
-  for (FeatureTracker& camera : cameras_)
-    if (!is_one_free_camera(settings_, cameras_)) camera.adjust_no_bundle();
+  const bool is_alone = is_one_free_camera(settings_, cameras_);
+  for (FeatureTracker& camera : cameras_) {
+    if (!is_alone) camera.adjust_no_bundle();
+    if (!is_alone || settings_.filter.decorrelate != Decorrelation::nothing) camera.close_no_loops();
+  }
   frame_counters_.resize(cameras_.size());
   bodies_.resize(settings_.bodies.size());
 }
@@ -277,7 +280,7 @@ void SlamEstimator::search_after_jolt(Estimate& e, FeatureTracker& camera, Stage
 }
 
 bool SlamEstimator::found_few(const FeatureTracker& camera) const {
-  return camera.matched() < settings_.health.min_matched_share * camera.camera().predicted;
+  return camera.matched() < least_found(camera.camera().predicted, false);
 }
 
 /// Finds the features of one camera, as its motion model expects them or else as after a jump.
@@ -294,10 +297,7 @@ void SlamEstimator::match_image(Estimate& e, FeatureTracker& camera, StageClock&
 }
 
 /// Corrects a drift that returning landmarks show, if they then match jointly with those that are tracked.
-void SlamEstimator::close_loop(Estimate& e, StageClock& stage) {
-  if (!is_one_free_camera(settings_, cameras_) || settings_.filter.decorrelate != Decorrelation::nothing)
-    return;
-  FeatureTracker& camera = cameras_.front();
+void SlamEstimator::close_loop(Estimate& e, FeatureTracker& camera, StageClock& stage) {
   if (!may_jump(e, camera)) return camera.forget_loop();
   const std::optional<ClosedLoop> loop = camera.find_loop(e, e.body().t);
   stage.mark("relocalize");
@@ -310,7 +310,8 @@ void SlamEstimator::close_loop(Estimate& e, StageClock& stage) {
       e, motion_of(camera));  // the alignment of the image stays: camera and landmarks in view moved together
   stage.mark("predict");
   search_features(e, camera, stage);
-  e.last.loop_closed = camera.confirms(*loop, camera_before) && !found_few(camera);
+  const double least = least_found(camera.camera().predicted, bodies_[camera.camera().body].matched_few);
+  e.last.loop_closed = camera.confirms(*loop, camera_before) && camera.matched() >= least;
   if (e.last.loop_closed) {
     camera.restart_keyframes();
     return;
@@ -322,17 +323,24 @@ void SlamEstimator::close_loop(Estimate& e, StageClock& stage) {
 
 void SlamEstimator::match_images(Estimate& e, StageClock& stage) {
   for (FeatureTracker& camera : cameras_) match_image(e, camera, stage);
-  close_loop(e, stage);
+  for (FeatureTracker& camera : cameras_)
+    if (camera.camera().settings.relocalization.close_loops) close_loop(e, camera, stage);
   discard_few_matches();
   for (FeatureTracker& camera : cameras_)
     if (bodies_[camera.camera().body].was_lost && searches_whole_map(camera)) find_in_map(e, camera);
   stage.mark("relocalize");
 }
 
-/// Discards the matches of bodies of whose features a small share was found: these may be false. One frame may match few, for
-/// example after a jolt; in the next ones right matches become more than chance gives, and false ones do not.
-void SlamEstimator::discard_few_matches() {
+/// Of features searched for, the number of matches below which these may be false. One frame may match few, for example after a
+/// jolt; in the next ones right matches become more than chance gives, and false ones do not.
+double SlamEstimator::least_found(int searched, bool after_few) const {
   constexpr double more_after_few = 1.6;  // times the least share; of a large one half of the rest more
+  const double least = settings_.health.min_matched_share * searched;
+  return after_few ? std::min(more_after_few * least, (least + searched) / 2) : least;
+}
+
+/// Discards the matches of bodies of whose features too few were found.
+void SlamEstimator::discard_few_matches() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     int searched = 0, matched = 0;
     for (const FeatureTracker& camera : cameras_) {
@@ -342,10 +350,9 @@ void SlamEstimator::discard_few_matches() {
     }
     if (bodies_[i].was_lost) bodies_[i].matched_few = false;
     if (bodies_[i].was_lost || searched == 0) continue;
-    const double least = settings_.health.min_matched_share * searched;
-    const double enough = std::min(more_after_few * least, (least + searched) / 2);
-    const bool had_few = std::exchange(bodies_[i].matched_few, matched < enough);
-    if (matched >= (had_few ? enough : least)) continue;
+    const double least = least_found(searched, bodies_[i].matched_few);
+    bodies_[i].matched_few = matched < least_found(searched, true);
+    if (matched >= least) continue;
     for (FeatureTracker& camera : cameras_)
       if (camera.camera().body == i) camera.discard_matches();
   }

@@ -60,8 +60,9 @@ class SlamEstimator final : public Estimator {
   void search_after_jolt(Estimate& estimate, FeatureTracker& camera, StageClock& stage);
   bool found_few(const FeatureTracker& camera) const;
   void match_image(Estimate& estimate, FeatureTracker& camera, StageClock& stage);
-  void close_loop(Estimate& estimate, StageClock& stage);
+  void close_loop(Estimate& estimate, FeatureTracker& camera, StageClock& stage);
   void match_images(Estimate& estimate, StageClock& stage);
+  double least_found(int searched, bool after_few) const;
   void discard_few_matches();
   bool searches_whole_map(const FeatureTracker& camera) const;
   void find_in_map(Estimate& estimate, FeatureTracker& camera);

@@ -17,7 +17,7 @@ constexpr double prune_below = 0.05;  // of the uniform weight; hypotheses below
 
 struct Hypothesis {
   std::size_t depth;  // index of the feature's depths
-  Ellipse ellipse;
+  Ellipse gate;
 };
 
 InverseDepthLandmark axes_of(const Landmark& line) { return InverseDepthLandmark{line.form.initial_axes}; }
@@ -49,12 +49,12 @@ std::vector<Hypothesis> project(const Landmark& line, const Feature& feature, co
   return predictions;
 }
 
-/// The best match in the union of all ellipses; overlapping ellipses share the correlations of one sheet.
+/// The best match in the union of all gates; overlapping gates share the correlations of one sheet.
 std::optional<Found> search_union(CorrelationSheet& sheet, const std::vector<Hypothesis>& hypotheses,
                                   const SearchSettings& settings) {
   std::optional<Found> best;
   for (const Hypothesis& hypothesis : hypotheses) {
-    const auto found = search(sheet, hypothesis.ellipse, settings.max_half_axis_px);
+    const auto found = search(sheet, with_nearest_pixels(hypothesis.gate), settings.max_half_axis_px);
     if (found && (!best || found->correlation > best->correlation)) best = found;
   }
   return best;
@@ -64,10 +64,11 @@ void start_sheet(CorrelationSheet& sheet, const SummedImage& image, const PatchT
                  const std::vector<Hypothesis>& hypotheses, const SearchSettings& settings) {
   Eigen::Array2d low(1e9, 1e9), high(-1e9, -1e9);
   for (const Hypothesis& h : hypotheses) {
-    const Eigen::Array2d half = (settings.gate_sigmas * h.ellipse.covariance.diagonal().array().sqrt())
-                                    .min(settings.max_half_axis_px);
-    low = low.min(h.ellipse.center.array() - half);
-    high = high.max(h.ellipse.center.array() + half);
+    const Ellipse searched = with_nearest_pixels(h.gate);
+    const Eigen::Array2d half =
+        (searched.gate_sigmas * searched.covariance.diagonal().array().sqrt()).min(settings.max_half_axis_px);
+    low = low.min(searched.center.array() - half);
+    high = high.max(searched.center.array() + half);
   }
   sheet.start(image, patch, static_cast<int>(low.x()) - 1, static_cast<int>(high.x()) + 2,
               static_cast<int>(low.y()) - 1, static_cast<int>(high.y()) + 2);
@@ -80,10 +81,10 @@ bool reweight(std::vector<DepthHypothesis>& depths, const std::vector<Hypothesis
   std::vector<DepthHypothesis> kept;
   double total = 0;
   for (const Hypothesis& h : hypotheses) {
-    const Eigen::Vector2d r = found - h.ellipse.center;
-    const double distance = r.dot(h.ellipse.covariance.inverse() * r);
+    const Eigen::Vector2d r = found - h.gate.center;
+    const double distance = r.dot(h.gate.covariance.inverse() * r);
     const double likelihood =
-        std::exp(-0.5 * distance) / (2 * std::numbers::pi * std::sqrt(h.ellipse.covariance.determinant()));
+        std::exp(-0.5 * distance) / (2 * std::numbers::pi * std::sqrt(h.gate.covariance.determinant()));
     kept.push_back({depths[h.depth].inverse_depth, depths[h.depth].weight * likelihood});
     total += kept.back().weight;
   }
@@ -117,13 +118,13 @@ RayMatch predict_ray_match(std::int64_t id, const Feature& feature,
   double total = 0;
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   Eigen::Matrix2d square = Eigen::Matrix2d::Zero();
-  const Eigen::Vector2d origin = hypotheses.front().ellipse.center;
+  const Eigen::Vector2d origin = hypotheses.front().gate.center;
   for (const Hypothesis& h : hypotheses) {
     const double weight = feature.depths[h.depth].weight;
-    const Eigen::Vector2d at = h.ellipse.center - origin;
+    const Eigen::Vector2d at = h.gate.center - origin;
     total += weight;
     sum += weight * at;
-    square += weight * (h.ellipse.covariance + at * at.transpose());
+    square += weight * (h.gate.covariance + at * at.transpose());
   }
   const Eigen::Vector2d mean = sum / total;
   match.predicted = origin + mean;
@@ -136,8 +137,7 @@ void keep_particles(RayMatch& match, const Feature& feature, const std::vector<H
                     std::vector<DepthParticle>& particles) {
   match.first_particle = static_cast<int>(particles.size());
   match.particle_count = static_cast<int>(hypotheses.size());
-  for (const Hypothesis& h : hypotheses)
-    particles.push_back({h.ellipse.center, feature.depths[h.depth].weight});
+  for (const Hypothesis& h : hypotheses) particles.push_back({h.gate.center, feature.depths[h.depth].weight});
 }
 
 /// The patch of a line as it looks from here, at its mean depth.

@@ -63,6 +63,8 @@ void FeatureTracker::set_index(int index) { camera_.index = index; }
 
 void FeatureTracker::adjust_no_bundle() { camera_.settings.bundle.adjust = false; }
 
+void FeatureTracker::close_no_loops() { camera_.settings.relocalization.close_loops = false; }
+
 void FeatureTracker::see(const Image* image) {
   sees_ = image && !image->empty();
   if (!sees_) return;
@@ -148,7 +150,9 @@ void FeatureTracker::correct_by_target(Estimate& estimate) {
 }
 
 void FeatureTracker::start_lasting_errors(Estimate& estimate) {
-  camera_.lasting.start(estimate, camera_.settings.filter, most_searched(camera_.settings));
+  const int most_landmarks = camera_.settings.map.max_landmarks + static_cast<int>(camera_.features.size());
+  camera_.lasting.start(estimate, camera_.settings.filter,
+                        std::min(most_searched(camera_.settings), most_landmarks));
 }
 
 void FeatureTracker::predict_lasting_errors(Estimate& estimate, double dt) const {
@@ -269,8 +273,10 @@ std::optional<PoseEvidence> FeatureTracker::find_in_map(const Estimate& estimate
 }
 
 std::optional<ClosedLoop> FeatureTracker::find_loop(const Estimate& estimate, double t) {
-  if (!sees_) loop_closure_.restart();
-  if (!sees_ || !camera_.settings.relocalization.close_loops) return std::nullopt;
+  if (!sees_) {
+    loop_closure_.restart();
+    return std::nullopt;
+  }
   return loop_closure_.find(pyramid_.summed(), estimate, camera_, t);
 }
 

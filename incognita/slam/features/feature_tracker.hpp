@@ -39,6 +39,8 @@ class FeatureTracker {
   void set_index(int index);
   /// Switches bundle adjustment off, BundleSettings.
   void adjust_no_bundle();
+  /// Switches loop closure off, RelocalizationSettings.
+  void close_no_loops();
 
   /// Takes the image of this tick; null without one. The image must live until the next call. Throws
   /// std::invalid_argument for an image whose size is not that of the camera.

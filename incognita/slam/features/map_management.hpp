@@ -5,7 +5,7 @@
 
 namespace incognita {
 
-/// Counts the frames since the last match of each feature; for every tracked frame.
+/// Counts the frames for which each feature is known, in or out of view, and without a match; for every tracked frame.
 void count_frames(TrackedCamera& camera);
 
 /// Counts this frame's searches. The caller skips frames with hardly any match, which carry no information

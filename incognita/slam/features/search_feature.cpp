@@ -1,10 +1,8 @@
 #include "incognita/slam/features/search_feature.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace incognita {
 namespace {
@@ -30,17 +28,8 @@ Ellipse ellipse_at_level(const Ellipse& ellipse, int level) {
           ellipse.gate_sigmas};
 }
 
-/// Where a feature is searched for. A small ellipse is widened by half a pixel diagonal: its rim would cut peaks off whose nearest
-/// pixel lies outside, and the match would be nearer to its prediction than the feature is.
-Ellipse ellipse_of(const FeatureMatch& match, const SearchSettings& settings) {
-  const double half_diagonal = std::numbers::sqrt2 / 2 / settings.gate_sigmas;  // in px per sigma of the gate
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
-  axes.computeDirect(match.innovation_cov);
-  const Eigen::Array2d sigmas = axes.eigenvalues().array().max(0).sqrt();
-  const Eigen::Array2d widened = sigmas.max((sigmas + half_diagonal).min(2 * half_diagonal));
-  const Eigen::Matrix2d& directions = axes.eigenvectors();
-  return {match.predicted, directions * widened.square().matrix().asDiagonal() * directions.transpose(),
-          settings.gate_sigmas};
+Ellipse gate_of(const FeatureMatch& match, const SearchSettings& settings) {
+  return {match.predicted, match.innovation_cov, settings.gate_sigmas};
 }
 
 double half_axis(const Ellipse& ellipse, double limit_px) {
@@ -69,7 +58,8 @@ class Searcher {
   std::optional<Found> search_level(const Ellipse& ellipse, int level) {
     const auto patch = patch_at_level(view_, match_.texture_from_view, settings_.patch_size_px, level);
     if (!patch) return std::nullopt;
-    return search(sheet_, pyramid_.summed(level), *patch, ellipse_at_level(ellipse, level),
+    return search(sheet_, pyramid_.summed(level), *patch,
+                  with_nearest_pixels(ellipse_at_level(ellipse, level)),
                   settings_.max_half_axis_px / (1 << level));
   }
 
@@ -82,7 +72,8 @@ class Searcher {
       --level;
       found = search_level(around(pixel, refine_px * (1 << level)), level);
     }
-    if (!found || !is_inside(found->pixel.array().round().matrix(), ellipse)) return std::nullopt;
+    if (!found || !is_inside(found->pixel.array().round().matrix(), with_nearest_pixels(ellipse)))
+      return std::nullopt;
     return found;
   }
 
@@ -110,7 +101,7 @@ std::optional<Found> search_feature(CorrelationSheet& sheet, const ImagePyramid&
                                     const TrackedCamera& camera) {
   const SearchSettings& settings = camera.settings.search;
   Searcher searcher(sheet, pyramid, view, match, settings);
-  const Ellipse whole = ellipse_of(match, settings);
+  const Ellipse whole = gate_of(match, settings);
   const double guided_px = guided_share * camera.camera.width();
   const double size_px = half_axis(whole, settings.max_half_axis_px);
   if (const auto guided = guided_pixel(match, camera); guided && size_px > guided_px) {
@@ -127,7 +118,7 @@ std::optional<Found> search_feature_at_level(CorrelationSheet& sheet, const Imag
                                              const TrackedCamera& camera, int level) {
   const SearchSettings& settings = camera.settings.search;
   Searcher searcher(sheet, pyramid, view, match, settings);
-  Ellipse where = ellipse_of(match, settings);
+  Ellipse where = gate_of(match, settings);
   const double guided_px = guided_share * camera.camera.width();
   if (const auto guided = guided_pixel(match, camera);
       guided && half_axis(where, settings.max_half_axis_px) > guided_px)

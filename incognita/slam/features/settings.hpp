@@ -73,8 +73,10 @@ struct SearchSettings {
     using S = SearchSettings;
     setting(&S::patch_size_px, "patch_size_px", "px", odd_between(9, 15),
             "Side of the square image patch that is matched");
-    setting(&S::gate_sigmas, "gate_sigmas", "", above_up_to(0, 100),
-            "Half axes of the search ellipse in standard deviations of the innovation");
+    setting(
+        &S::gate_sigmas, "gate_sigmas", "", above_up_to(0, 100),
+        "Half axes of the search ellipse in standard deviations of the innovation; ellipses below 1.4 px are "
+        "widened by up to half a pixel diagonal");
     setting(&S::min_correlation, "min_correlation", "", between(-1, 1),
             "Normalized cross-correlation below which a candidate is no match");
     setting(

@@ -67,7 +67,7 @@ struct Ellipse {
 
 /// The ellipse to search for peaks in `gate`. Peaks lie between pixels, and the pixel nearest to one in the gate may lie outside:
 /// a search of the gate alone would cut it off at the rim, and its match would be nearer to the prediction than the feature is.
-/// Half axes below 1.4 px are widened by up to half a pixel diagonal; in larger gates few peaks lie so near to the rim.
+/// Half axes below 1.4 px are widened by up to half a pixel diagonal; of the peaks in larger gates some at the rim are left out.
 Ellipse with_nearest_pixels(const Ellipse& gate);
 
 struct Found {

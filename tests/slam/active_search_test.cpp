@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "incognita/slam/features/active_search.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
@@ -22,9 +23,8 @@ constexpr double px_per_m = 195 / 2.0;  // on the wall, seen from the origin
 struct Scene : Tracking {
   Image image = wall.seen_from(origin);
 
-  explicit Scene(double sigma_camera_m) : Tracking(origin, camera_covariance(sigma_camera_m)) {
-    tracked.settings.filter.sigma_pixel_px = 0.5;
-  }
+  explicit Scene(double sigma_camera_m) : Scene(camera_covariance(sigma_camera_m)) {}
+  explicit Scene(const CameraCov& P) : Tracking(origin, P) { tracked.settings.filter.sigma_pixel_px = 0.5; }
   static CameraCov camera_covariance(double sigma_m) {
     CameraCov P = 1e-8 * CameraCov::Identity();
     P.topLeftCorner<3, 3>() *= sigma_m * sigma_m / 1e-8;
@@ -104,6 +104,27 @@ TEST(ActiveSearch, FindsThePatchInsideItsEllipseAndNowhereElse) {
 }
 
 /// Nearer than a pixel to its prediction: the smallest ellipse holds the nearest pixel.
+/// Searched at an eighth of the resolution, where they are less than a pixel wide.
+TEST(ActiveSearch, FindsPatchesInLongThinEllipses) {
+  CameraCov P = Scene::camera_covariance(0);
+  P.diagonal().head<3>().setConstant(1e-8);
+  P(1, 1) = std::pow(17 / px_per_m, 2);
+  for (const double moved_px : {-27.4, -18.6, 13.3, 22.7}) {
+    Scene scene(P);
+    scene.settings().levels = 4;
+    for (std::size_t i = 0; i < 6; ++i) scene.add(5 * i, 0.1);
+    const CameraState moved = camera_at({0, moved_px / px_per_m, 0});
+    scene.image = wall.seen_from(moved);
+    scene.search();
+    for (std::size_t i = 0; i < 6; ++i) {
+      const auto id = static_cast<std::int64_t>(i);
+      ASSERT_EQ(scene.outcome(id), MatchOutcome::matched) << id << ", moved by " << moved_px << " px";
+      const Eigen::Vector2d truth = pixel_of(moved, wall.corners_in_view(origin, 40).at(5 * i));
+      EXPECT_LT((*scene.match_of(id).measured - truth).norm(), 0.6) << id;
+    }
+  }
+}
+
 TEST(ActiveSearch, OfACertainPredictionTriesTheNearestPixel) {
   for (const double off_px : {0.0, 0.3, 0.5}) {
     Scene scene(1e-5);

@@ -110,8 +110,8 @@ TEST(SingleCamera, TracksAlikeWhateverItsFirstTick) {
   EXPECT_EQ(covariances[0], covariances[1]);
 }
 
-/// A fixed number of states is reserved for errors that last: no more than the map can have landmarks to lend them to.
-TEST(SingleCamera, ReservesNoMoreLastingErrorsThanTheMapHasLandmarks) {
+/// A fixed number of states is reserved for errors that last: two for each match, as if all landmarks of the map could match.
+TEST(SingleCamera, ReservesLastingErrorsForNoMoreMatchesThanTheMapHasLandmarks) {
   const auto reserved = [](int most_measurements) {
     CameraSlamSettings settings;
     settings.filter.sigma_lasting_px = 0.1;
@@ -124,10 +124,9 @@ TEST(SingleCamera, ReservesNoMoreLastingErrorsThanTheMapHasLandmarks) {
     return estimate.lasting_errors.size();
   };
   EXPECT_EQ(reserved(20), 40u) << "two for each match";
-  EXPECT_EQ(reserved(10000), 60u);
+  EXPECT_EQ(reserved(10000), 60u) << "of 30 landmarks";
 }
 
-/// What returns to view and is missed stays in the map only where a loop can be closed with it.
 TEST(SingleCamera, ClosesLoopsOnlyWithAllCorrelations) {
   const auto closes = [](Decorrelation decorrelate) {
     EstimatorSettings settings;

@@ -63,6 +63,32 @@ TEST(DepthLine, IsDroppedWhenNoHypothesisExplainsTheMatch) {
   }
 }
 
+/// The gate is narrower than a pixel, and its nearest pixel may lie outside.
+TEST(DepthLine, IsFoundBetweenPixels) {
+  for (int k = 0; k < 12; ++k) {
+    Scene scene(40, with_lines(0.1), 1e-10 * CameraCov::Identity());
+    scene.appearance().depths = {{1 / 2.0, 1.0}};
+    scene.follow(aside(0.2 + 0.002 * k));  // 0.2 px each
+    ASSERT_EQ(scene.matches().size(), 1u);
+    EXPECT_EQ(scene.matches()[0].outcome, MatchOutcome::matched) << k;
+  }
+}
+
+/// Its peak lies beyond the gate, by a pixel that is tried because it is the nearest to peaks inside.
+TEST(DepthLine, IsNotFoundOutsideOfItsGate) {
+  int failures = 0;
+  for (int k = 0; k < 12; ++k) {
+    Scene scene(40, with_lines(0.1), 1e-10 * CameraCov::Identity());
+    scene.appearance().depths = {{1 / 1.90, 1.0}};  // 1 px more of parallax
+    scene.follow(aside(0.2 + 0.002 * k));
+    ASSERT_EQ(scene.matches().size(), 1u);
+    EXPECT_NE(scene.matches()[0].outcome, MatchOutcome::matched) << k;
+    ASSERT_EQ(scene.estimate.landmarks.size(), 1u) << k << ": one failure of ten";
+    failures += scene.appearance().ray_failures;
+  }
+  EXPECT_EQ(failures, 12);
+}
+
 TEST(DepthLine, LeavesOtherLandmarksAlone) {
   Scene scene;
   const Eigen::Vector3d at = wall.point_at(origin, {90, 90});

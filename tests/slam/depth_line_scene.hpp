@@ -13,10 +13,10 @@ namespace incognita::synthetic {
 inline const Wall wall(2);
 inline const CameraState origin = camera_at({0, 0, 0});
 
-inline CameraSlamSettings with_lines() {
+inline CameraSlamSettings with_lines(double sigma_pixel_px = 0.5) {
   CameraSlamSettings settings = few_features();
   settings.initialization.method = InitializationSettings::Method::depth_line;
-  settings.filter.sigma_pixel_px = 0.5;
+  settings.filter.sigma_pixel_px = sigma_pixel_px;
   return settings;
 }
 

@@ -280,7 +280,7 @@ void SlamEstimator::search_after_jolt(Estimate& e, FeatureTracker& camera, Stage
 }
 
 bool SlamEstimator::found_few(const FeatureTracker& camera) const {
-  return camera.matched() < least_found(camera.camera().predicted, false);
+  return camera.matched() < least_found(camera.camera().predicted, bodies_[camera.camera().body].matched_few);
 }
 
 /// Finds the features of one camera, as its motion model expects them or else as after a jump.
@@ -310,8 +310,7 @@ void SlamEstimator::close_loop(Estimate& e, FeatureTracker& camera, StageClock& 
       e, motion_of(camera));  // the alignment of the image stays: camera and landmarks in view moved together
   stage.mark("predict");
   search_features(e, camera, stage);
-  const double least = least_found(camera.camera().predicted, bodies_[camera.camera().body].matched_few);
-  e.last.loop_closed = camera.confirms(*loop, camera_before) && camera.matched() >= least;
+  e.last.loop_closed = camera.confirms(*loop, camera_before) && !found_few(camera);
   if (e.last.loop_closed) {
     camera.restart_keyframes();
     return;

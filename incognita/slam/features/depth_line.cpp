@@ -74,6 +74,14 @@ void start_sheet(CorrelationSheet& sheet, const SummedImage& image, const PatchT
               static_cast<int>(low.y()) - 1, static_cast<int>(high.y()) + 2);
 }
 
+/// Whether the match lies in the gate of a hypothesis. Beyond the pixels nearest to a gate, which are searched too, it is false.
+bool is_in_gate(const std::vector<Hypothesis>& hypotheses, const Eigen::Vector2d& found) {
+  return std::ranges::any_of(hypotheses, [&](const Hypothesis& h) {
+    const Eigen::Vector2d r = found - h.gate.center;
+    return r.dot(h.gate.covariance.inverse() * r) <= h.gate.gate_sigmas * h.gate.gate_sigmas;
+  });
+}
+
 /// Bayes update of the weights by the likelihood of the match; hypotheses out of view are removed.
 /// False when no hypothesis explains the match.
 bool reweight(std::vector<DepthHypothesis>& depths, const std::vector<Hypothesis>& hypotheses,
@@ -170,9 +178,10 @@ bool follow(Landmark& line, Feature& feature, CorrelationSheet& sheet, const Sum
   if (!found) return fail();
   match.correlation = found->correlation;
   if (found->correlation < camera.settings.search.min_correlation) return fail();
-  feature.ray_failures = 0;
   match.measured = found->pixel;
   match.outcome = MatchOutcome::outlier;
+  if (!is_in_gate(hypotheses, found->pixel)) return fail();
+  feature.ray_failures = 0;
   if (!reweight(feature.depths, hypotheses, found->pixel)) return false;
   match.outcome = MatchOutcome::matched;
   const RayDepth depth = depth_of(feature.depths);

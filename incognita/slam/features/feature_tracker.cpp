@@ -150,7 +150,8 @@ void FeatureTracker::correct_by_target(Estimate& estimate) {
 }
 
 void FeatureTracker::start_lasting_errors(Estimate& estimate) {
-  const int most_landmarks = camera_.settings.map.max_landmarks + static_cast<int>(camera_.features.size());
+  const auto anchors = placement_.target ? placement_.target->corners.size() : 0;
+  const int most_landmarks = camera_.settings.map.max_landmarks + static_cast<int>(anchors);
   camera_.lasting.start(estimate, camera_.settings.filter,
                         std::min(most_searched(camera_.settings), most_landmarks));
 }

@@ -69,7 +69,8 @@ bool search_for(FeatureMatch& match, const Feature& feature, const SummedImage& 
   thread_local CorrelationSheet sheet;
   match.outcome = MatchOutcome::not_found;
   const auto found =
-      search(sheet, image, *patch, {match.predicted, match.innovation_cov, settings.gate_sigmas},
+      search(sheet, image, *patch,
+             with_nearest_pixels({match.predicted, match.innovation_cov, settings.gate_sigmas}),
              settings.max_half_axis_px);
   if (!found) return true;
   match.correlation = found->correlation;

@@ -33,7 +33,8 @@ Ellipse gate_of(const FeatureMatch& match, const SearchSettings& settings) {
 }
 
 double half_axis(const Ellipse& ellipse, double limit_px) {
-  return std::min(limit_px, ellipse.gate_sigmas * std::sqrt(ellipse.covariance.diagonal().maxCoeff()));
+  return std::min(limit_px,
+                  ellipse.gate_sigmas * std::sqrt(std::max(0.0, ellipse.covariance.diagonal().maxCoeff())));
 }
 
 bool is_inside(const Eigen::Vector2d& pixel, const Ellipse& ellipse) {

@@ -75,8 +75,7 @@ struct SearchSettings {
             "Side of the square image patch that is matched");
     setting(
         &S::gate_sigmas, "gate_sigmas", "", above_up_to(0, 100),
-        "Half axes of the search ellipse in standard deviations of the innovation; ellipses below 1.4 px are "
-        "widened by up to half a pixel diagonal");
+        "Half axes of the search ellipse in standard deviations of the innovation; those below 1.4 px of the resolution that is searched are widened by up to half a pixel diagonal");
     setting(&S::min_correlation, "min_correlation", "", between(-1, 1),
             "Normalized cross-correlation below which a candidate is no match");
     setting(
@@ -269,7 +268,7 @@ struct RelocalizationSettings {
     setting(
         &S::close_loops, "close_loops", "", any(),
         "Whether a camera that tracks recognizes landmarks that return where it does not expect them, and corrects the drift; "
-        "for the only camera, on the only body");
+        "for the only camera, on the only body, without other sensors and with all correlations");
     setting(&S::period_frames, "period_frames", "", between(1, 100000),
             "Frames from one search of the whole map by a lost camera to the next");
     setting(&S::min_matches, "min_matches", "", between(5, 10000),

@@ -4,7 +4,7 @@
 //   adjusted_trajectory SCENARIO [--stride N] [--out FILE.tum] [--set key=value]...
 //
 // The scenario runs once. Every Nth frame then is a view; the positions in which the filter found its landmarks there are the
-// measurements, its own estimates the start. Without a known target the scale is held by weak priors of the depths.
+// measurements, its poses the start. Without a known target the scale is held by weak priors of the depths.
 // Printed: the absolute trajectory error of both after a similarity transform, where the truth is known, the rms difference
 // between them, and the residuals.
 #include <Eigen/LU>
@@ -22,6 +22,7 @@
 #include "incognita/app/loop/assembly.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/slam/bundle/adjust_bundle.hpp"
+#include "incognita/slam/bundle/run_bundle.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 
@@ -62,37 +63,25 @@ Wanted wanted_by(int argc, char** argv) {
   return out;
 }
 
-/// Measurements of a landmark in the views, and its last estimate.
-struct Track {
-  std::vector<std::pair<int, Eigen::Vector2d>> seen;
-  Eigen::Vector3d position{0, 0, 0};
-  bool fixed = false;
-};
-
 struct Recorded {
   Trajectory estimate, truth;
-  std::vector<BundleView> views;
-  std::map<std::int64_t, Track> tracks;
-  Eigen::Matrix<double, 6, 6> first_cov = Eigen::Matrix<double, 6, 6>::Identity();
+  RunMatches matches;
   int lost = 0;
 };
 
 void record(const Estimate& estimate, const std::optional<Truth>& truth, double t, Recorded& out) {
   const CameraState x = estimate.camera_state();
-  const int view = static_cast<int>(out.views.size());
-  if (view == 0) out.first_cov = estimate.body().pose_covariance;
-  out.views.push_back({x.head<3>(), x.segment<4>(3)});
+  const int view = static_cast<int>(out.matches.views.size());
+  out.matches.views.push_back(view_of(x));
   out.estimate.push_back({t, x.head<3>(), x.segment<4>(3)});
   if (truth && truth->bodies[0].pose)
     out.truth.push_back({t, truth->bodies[0].pose->position, truth->bodies[0].pose->world_from_body});
   for (const Match& match : estimate.last.matches) {
     if (!match.image || match.ray || match.outcome != MatchOutcome::matched) continue;
-    Track& track = out.tracks[match.id];
-    track.seen.emplace_back(view, Eigen::Vector2d(match.measured));
+    out.matches.pixels[match.id].emplace_back(view, Eigen::Vector2d(match.measured));
     const auto landmark = estimate.landmarks.find(match.id);
-    if (landmark == estimate.landmarks.end()) continue;
-    track.position = nominal_position(landmark->second, estimate.belief);
-    track.fixed = landmark->second.fixed;
+    if (landmark != estimate.landmarks.end() && landmark->second.fixed)
+      out.matches.known[match.id] = nominal_position(landmark->second, estimate.belief);
   }
 }
 
@@ -120,38 +109,6 @@ Recorded run(const Wanted& wanted, std::optional<Camera>& camera) {
   return out;
 }
 
-Bundle bundle_of(const Recorded& run, double sigma_pixel_px) {
-  Bundle bundle;
-  bundle.views = run.views;
-  bundle.first_view = run.views.front();
-  bundle.first_view_cov = 1e-6 * Eigen::Matrix<double, 6, 6>::Identity();
-  for (const auto& [id, track] : run.tracks) {
-    if (track.seen.size() < 3) continue;
-    BundlePoint point;
-    const int host = track.seen.front().first;
-    const BundleView& view = run.views[static_cast<std::size_t>(host)];
-    const Eigen::Vector3d along =
-        rotation_matrix<double>(view.world_from_camera).transpose() * (track.position - view.position);
-    if (track.fixed) {
-      point.kind = BundlePoint::Kind::fixed;
-      point.value = track.position;
-    } else {
-      if (!(along.z() > 1e-3)) continue;
-      point.kind = BundlePoint::Kind::inverse_depth;
-      point.initial_axes = view.world_from_camera;
-      point.host = host;
-      point.value << along.x() / along.z(), along.y() / along.z(), 1 / along.z();
-      point.prior_inverse_depth = point.value[2];
-      point.sigma_prior_inverse_depth = 2 * point.value[2];
-    }
-    for (const auto& [seen, pixel] : track.seen)
-      bundle.observations.push_back({seen, static_cast<int>(bundle.points.size()), pixel,
-                                     sigma_pixel_px * sigma_pixel_px * Eigen::Matrix2d::Identity()});
-    bundle.points.push_back(point);
-  }
-  return bundle;
-}
-
 double ate(const Trajectory& estimate, const Trajectory& truth, AlignmentKind kind) {
   const MatchedTrajectories matched = match(estimate, truth, 0.02);
   const auto alignment = align(matched, kind);
@@ -159,29 +116,9 @@ double ate(const Trajectory& estimate, const Trajectory& truth, AlignmentKind ki
   return absolute_trajectory_error({aligned(matched.estimate, *alignment), matched.truth}).rmse;
 }
 
-std::vector<double> residuals_px(const Bundle& bundle, const Camera& camera) {
-  std::vector<double> out;
-  for (const BundleObservation& o : bundle.observations) {
-    CameraState x = CameraState::Zero();
-    const BundleView& view = bundle.views[static_cast<std::size_t>(o.view)];
-    x.head<3>() = view.position;
-    x.segment<4>(3) = view.world_from_camera;
-    const BundlePoint& point = bundle.points[static_cast<std::size_t>(o.point)];
-    Eigen::Vector3d along = PointLandmark::in_camera<double>(x, point.value);
-    if (point.kind == BundlePoint::Kind::inverse_depth) {
-      InverseDepthLandmark::State y;
-      y << bundle.views[static_cast<std::size_t>(point.host)].position, point.value;
-      along = InverseDepthLandmark{point.initial_axes}.in_camera<double>(x, y);
-    }
-    const auto predicted = camera.project(along);
-    out.push_back(predicted ? (o.pixel - predicted->pixel).norm() : 1e3);
-  }
-  std::ranges::sort(out);
-  return out;
-}
-
 void print_residuals(const char* what, const Bundle& bundle, const Camera& camera) {
-  const std::vector<double> r = residuals_px(bundle, camera);
+  std::vector<double> r = residuals_px(bundle, camera);
+  std::ranges::sort(r);
   const auto at = [&](double share) {
     return r[static_cast<std::size_t>(share * static_cast<double>(r.size() - 1))];
   };
@@ -244,11 +181,11 @@ int adjust_run(const Wanted& wanted) {
   std::optional<Camera> seen_by;
   const Recorded run = incognita::run(wanted, seen_by);
   const Camera& camera = *seen_by;
-  if (run.views.size() < 2) {
+  if (run.matches.views.size() < 2) {
     std::cerr << "no frames were tracked\n";
     return 1;
   }
-  Bundle bundle = bundle_of(run, 0.3);
+  Bundle bundle = bundle_of(run.matches, camera, 0.3);
   std::printf("%zu views, %zu points, %zu measurements, %d frames lost\n", bundle.views.size(),
               bundle.points.size(), bundle.observations.size(), run.lost);
   print_residuals("filter", bundle, camera);

@@ -11,11 +11,16 @@ namespace incognita {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array run_files{
-    "effective.toml",   "summary.json", "estimate.tum", "truth.tum",  "covariance.csv",
-    "actions.csv",      "map.csv",      "map.ply",      "series.csv", "interventions.jsonl",
-    "vehicles.csv",     "timings.csv",  "series.mat",   "run.mcap",   "surveyed.csv",
-    "measurements.csv", "adjusted.tum", "looks.csv"};  // the last: earlier versions
+constexpr std::array run_files{"effective.toml", "summary.json",
+                               "estimate.tum",   "truth.tum",
+                               "covariance.csv", "actions.csv",
+                               "map.csv",        "map.ply",
+                               "series.csv",     "interventions.jsonl",
+                               "vehicles.csv",   "timings.csv",
+                               "series.mat",     "run.mcap",
+                               "surveyed.csv",   "measurements.csv",
+                               "adjusted.tum",   "adjusted-whole.tum",
+                               "looks.csv"};  // the last: earlier versions
 
 /// Whether the name is prefix, `digits` or more digits, suffix.
 bool is_numbered(std::string_view name, std::string_view prefix, std::string_view suffix,

@@ -108,7 +108,7 @@ TEST(ProgramRun, DepthLinesConvergeToPoints) {
 /// Errors that last are states for each possible match: the state is too large for the analysis from the first image on.
 TEST(ProgramRun, SaysThatTheStateIsTooLargeForItsObservability) {
   const Scratch scratch;
-  const Words many = {"--set", "search.max_measurements=250"};
+  const Words many = {"--set", "search.max_measurements=250", "--set", "map.max_landmarks=250"};
   ASSERT_EQ(testing::incognita(room_for("1", "run", many), scratch.folder()).code, 0);
   const nlohmann::json report = testing::summary_of(scratch.folder() / "run")["observability"];
   EXPECT_EQ(report["followed"], false);

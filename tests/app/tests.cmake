@@ -13,7 +13,7 @@ endfunction()
 
 incognita_program_test(program_test
                        SOURCES app/program_usage_test.cpp app/program_scenario_test.cpp app/program_run_test.cpp
-                               app/program_disk_test.cpp app/program_evaluate_test.cpp app/program_observe_test.cpp
+                               app/program_disk_test.cpp app/program_adjust_test.cpp app/program_evaluate_test.cpp app/program_observe_test.cpp
                                app/program_reproduce_test.cpp app/program_interventions_test.cpp)
 # Separate, since it alone renders and writes images: the others start faster without those libraries
 incognita_program_test(program_recording_test SOURCES app/program_recording_test.cpp

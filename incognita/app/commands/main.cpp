@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 
+#include "incognita/app/commands/adjust.hpp"
 #include "incognita/app/commands/campaign.hpp"
 #include "incognita/app/commands/config.hpp"
 #include "incognita/app/commands/evaluate.hpp"
@@ -41,6 +42,7 @@ int carry_out(int argc, char** argv) {
   std::function<int()> job;
   incognita::add_run(app, job);
   incognita::add_evaluate(app, job);
+  incognita::add_adjust(app, job);
   incognita::add_config(app, job);
   incognita::add_observe(app, job);
   incognita::add_campaign(app, job);

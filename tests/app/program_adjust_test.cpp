@@ -1,7 +1,10 @@
 // The command `incognita adjust` on a run, and on what is none.
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -22,6 +25,17 @@ double ate_m(const Scratch& scratch, const std::string& estimate, const std::str
   return nlohmann::json::parse(ended.out)["ate_m"]["rmse"].get<double>();
 }
 
+std::vector<Eigen::Vector3d> positions(const std::filesystem::path& file) {
+  std::vector<Eigen::Vector3d> out;
+  for (const std::string& line : testing::lines(file)) {
+    std::istringstream cells(line);
+    double t = 0;
+    Eigen::Vector3d at;
+    if (cells >> t >> at.x() >> at.y() >> at.z()) out.push_back(at);
+  }
+  return out;
+}
+
 /// A camera with a target, 12 features and no adjustment of its own.
 TEST(ProgramAdjust, MakesTheTrajectoryOfARunMoreAccurate) {
   const Scratch scratch;
@@ -38,10 +52,23 @@ TEST(ProgramAdjust, MakesTheTrajectoryOfARunMoreAccurate) {
       testing::incognita({"adjust", "run", "--views", "40", "--out", "few.tum"}, scratch.folder());
   ASSERT_EQ(few.code, 0) << few.err;
   EXPECT_SAYS(few.out, "40 views of ");
-  EXPECT_EQ(testing::lines(scratch.folder() / "few.tum").size(),
-            testing::lines(scratch.folder() / "run" / "estimate.tum").size())
-      << "poses between the views are interpolated";
-  EXPECT_LT(ate_m(scratch, "few.tum", "sim3"), 1.5 * ate_m(scratch, "run/estimate.tum", "sim3"));
+  const std::vector<Eigen::Vector3d> before = positions(scratch.folder() / "run" / "estimate.tum"),
+                                     after = positions(scratch.folder() / "few.tum");
+  ASSERT_EQ(before.size(), after.size());
+  double farthest_m = 0;
+  for (std::size_t i = 1; i < 40; ++i) {
+    const std::size_t frames = before.size() - 2;  // after the start, in which nothing is searched for
+    const std::size_t a = 1 + (i - 1) * frames / 39, b = 1 + i * frames / 39;
+    for (std::size_t k = a; k < b; ++k) {
+      const double share = static_cast<double>(k - a) / static_cast<double>(b - a);
+      const Eigen::Vector3d moved =
+          before[k] + (1 - share) * (after[a] - before[a]) + share * (after[b] - before[b]);
+      EXPECT_LT((after[k] - moved).norm(), 1e-6) << k;
+      farthest_m = std::max(farthest_m, (after[k] - before[k]).norm());
+    }
+  }
+  EXPECT_LT((after[0] - before[0] - (after[1] - before[1])).norm(), 1e-6) << "as the first view";
+  EXPECT_GT(farthest_m, 1e-4);
 }
 
 TEST(ProgramAdjust, RefusesWhatIsNoRunOfOneCamera) {
@@ -78,17 +105,46 @@ TEST(ProgramAdjust, NamesTheRowThatIsDamaged) {
   const std::pair<std::string, std::string> wrong[] = {
       {"t,body,sensor\n", "measurements.csv:1: there is no column `outcome`"},
       {header + "0,1,camera-1,3,landmark,12,nan,matched\n",
-       "measurements.csv:2: t, id, measured_1 and measured_2"},
+       "measurements.csv:2: t, measured_1 and measured_2"},
+      {header + "0,1,camera-1,1e30,landmark,12,14,matched\n", "and its id an integer"},
       {header + "0,1,camera-2,3,landmark,12,14,matched\n",
        "measurements.csv:2: body 1, camera-2: only a run of one"},
-      {header + "0,1,camera-1,3,landmark,12,14,matched\n",
-       "0 frames with 4 matches or more: two are needed"}};
+      {header + "0,1,camera-1,3,landmark,12,14,matched\n", "0 frames with 4 matches or more"}};
   for (const auto& [content, message] : wrong) {
     scratch.write("run/measurements.csv", content);
     const Ended ended = testing::incognita({"adjust", "run"}, scratch.folder());
     EXPECT_EQ(ended.code, 2);
     EXPECT_SAYS(ended.err, message);
   }
+}
+
+TEST(ProgramAdjust, SaysWhatIsMissingAndSavesWhatIsThere) {
+  const Scratch scratch;
+  ASSERT_EQ(
+      testing::incognita({"run", "room", "--duration", "3", "--out", "run", "--no-figures"}, scratch.folder())
+          .code,
+      0);
+  const auto refused = [&](const Words& more) {
+    Words words{"adjust", "run"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ended ended = testing::incognita(words, scratch.folder());
+    EXPECT_EQ(ended.code, 2);
+    return ended.err;
+  };
+  EXPECT_SAYS(refused({"--out", "run/truth.tum"}), "run/truth.tum: is a file of the run");
+  EXPECT_SAYS(refused({"--out", "nowhere/path.tum"}), "nowhere: is no folder");
+  const std::filesystem::path run = scratch.folder() / "run";
+  std::filesystem::rename(run / "map.csv", run / "map");
+  EXPECT_SAYS(refused({}), "map.csv: does not exist, and has the positions of the anchors");
+  scratch.write("run/map.csv", "id,kind,x,y,z\n0,anchor,nan,0,0\n");
+  EXPECT_SAYS(refused({}), "map.csv:2: x, y and z of an anchor must be finite");
+  scratch.write("run/map.csv", "id,kind,x,y,z\n");
+  EXPECT_SAYS(refused({}), "map.csv: has no anchor ");
+  std::filesystem::rename(run / "map", run / "map.csv");
+  const Ended gaps = testing::incognita({"adjust", "run", "--views", "3"}, scratch.folder());
+  EXPECT_SAYS(gaps.err, "successive views share ");
+  std::filesystem::remove(run / "effective.toml");
+  EXPECT_SAYS(refused({}), "effective.toml: does not exist, and has the camera");
 }
 
 }  // namespace

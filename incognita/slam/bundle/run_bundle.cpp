@@ -1,6 +1,7 @@
 #include "incognita/slam/bundle/run_bundle.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -11,7 +12,6 @@
 namespace incognita {
 namespace {
 
-constexpr std::size_t least_matches = 3;
 constexpr double prior_sigmas = 2;  // of inverse depths, in times their start
 using Pixels = std::vector<std::pair<int, Eigen::Vector2d>>;
 
@@ -81,21 +81,23 @@ Bundle bundle_of(const RunMatches& run, const Camera& camera, double sigma_pixel
   Bundle bundle;
   bundle.views = run.views;
   bundle.first_view = run.views.front();
-  const double var = run.known.empty() ? 1e-6 : 1;  // m^2, rad^2: anchors give the frame
+  const bool has_anchors =
+      std::ranges::any_of(run.pixels, [&](const auto& track) { return run.known.contains(track.first); });
+  const double var = has_anchors ? 1 : 1e-6;  // m^2, rad^2: anchors give the frame
   bundle.first_view_cov = var * Eigen::Matrix<double, 6, 6>::Identity();
   std::map<std::int64_t, std::optional<double>> inverse_depths;
   std::vector<double> all;
   for (const auto& [id, pixels] : run.pixels) {
-    if (pixels.size() < least_matches || run.known.contains(id)) continue;
+    if (pixels.size() < least_matches_of_landmark || run.known.contains(id)) continue;
     const auto found = inverse_depths[id] = inverse_depth(run, pixels, camera);
     if (found) all.push_back(*found);
   }
   const double typical = all.empty() ? 1 : median(all);
   const Eigen::Matrix2d cov = sigma_pixel_px * sigma_pixel_px * Eigen::Matrix2d::Identity();
   for (const auto& [id, pixels] : run.pixels) {
-    if (pixels.size() < least_matches) continue;
-    const int host = pixels.front().first;
     const auto known = run.known.find(id);
+    if (known == run.known.end() && pixels.size() < least_matches_of_landmark) continue;
+    const int host = pixels.front().first;
     const auto ray = camera.unproject(pixels.front().second);
     if (known == run.known.end() && !(ray && ray->z() > 0)) continue;
     for (const auto& [view, pixel] : pixels)

@@ -11,6 +11,8 @@
 
 namespace incognita {
 
+inline constexpr std::size_t least_matches_of_landmark = 3;
+
 struct RunMatches {
   std::vector<BundleView> views;  ///< as they were estimated during the run
   /// Of each landmark, the views in which it was matched, in their order, and where, px.
@@ -18,7 +20,7 @@ struct RunMatches {
   std::map<std::int64_t, Eigen::Vector3d> known;  ///< positions of anchors, m
 };
 
-/// Landmarks of three matches or more, in inverse depth from their first view, beginning where their rays intersect; where they do
+/// Anchors, and landmarks of least_matches_of_landmark or more, in inverse depth from their first view, beginning where their rays intersect; where they do
 /// not, at the median depth of the others. Anchors give frame and scale; without any the first view keeps its pose, and weak priors, of
 /// twice the inverse depth, hold the scale. `sigma_pixel_px`: of all measurements.
 Bundle bundle_of(const RunMatches& run, const Camera& camera, double sigma_pixel_px);

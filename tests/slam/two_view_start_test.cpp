@@ -1,9 +1,10 @@
-// The relative pose of two views, and bundle adjustment that starts from it where the filter went wrong.
+// Other starts of bundle adjustment, from the relative pose of two views and from no motion, where the filter went wrong.
 #include "incognita/slam/bundle/two_view_start.hpp"
 
 #include <limits>
 
 #include "incognita/slam/bundle/adjust_bundle.hpp"
+#include "incognita/slam/bundle/flat_start.hpp"
 #include "incognita/slam/bundle/relative_pose.hpp"
 #include "tests/slam/synthetic_scene.hpp"
 
@@ -174,6 +175,52 @@ TEST(TwoViewStart, PutsPointsOfLaterViewsOnTheirRays) {
   const auto ray = camera.unproject(pixel_of(moved(motions[2], 0.5), scattered_points(60)[5]));
   EXPECT_LT((start->points[5].value - Eigen::Vector3d(ray->x(), ray->y(), 0.5)).norm(), 1e-9);
   EXPECT_EQ(start->points[5].initial_axes, start->views[1].world_from_camera);
+}
+
+/// A turn was taken for the translation: at this minimum adjustment stays, and from the flat start it leaves it.
+TEST(FlatStart, LeadsAdjustmentToTheMinimumAfterASmallMotion) {
+  const std::vector<Motion> small = {{"sideways", {0, 0.06, 0}, {0, 0, 0}},
+                                     {"up with a turn", {0, 0.01, 0.06}, {0.02, 0.02, -0.01}}};
+  for (const Motion& motion : small) {
+    Bundle wrong = wrong_bundle(motion, 4, 0.05, 0);
+    for (std::size_t k = 1; k < wrong.views.size(); ++k)
+      wrong.views[k].position += Eigen::Vector3d(0.4, -0.3, 0.3) * static_cast<double>(k);
+    for (std::size_t i = 0; i < wrong.points.size(); ++i) wrong.points[i].value[2] *= i % 2 == 0 ? 3 : 0.2;
+    Bundle flat = flat_start(wrong, camera);
+    for (const BundleView& view : flat.views) EXPECT_EQ(view.position, flat.views[0].position);
+    for (const BundlePoint& point : flat.points) EXPECT_EQ(point.value[2], 0.5);
+    BundleEquations equations;
+    const double cost = adjust(flat, camera, {.max_iterations = 20}, equations).last_cost;
+    Bundle reversed = reversed_start(flat, camera);
+    const double other_cost = adjust(reversed, camera, {.max_iterations = 20}, equations).last_cost;
+    expect_last_view(cost < other_cost ? flat : reversed, motion, 0.1, 0.01);
+  }
+}
+
+TEST(FlatStart, LeavesFixedViewsAndKnownPoints) {
+  Bundle bundle = wrong_bundle(motions[0], 2, 0, 0);
+  bundle.views[1].fixed = true;
+  bundle.views[1].position = {1, 2, 3};
+  bundle.points[4].kind = BundlePoint::Kind::fixed;
+  bundle.points[4].value = {4, 5, 6};
+  const Bundle flat = flat_start(bundle, camera);
+  EXPECT_EQ(flat.views[1].position, bundle.views[1].position);
+  EXPECT_EQ(flat.points[4].value, bundle.points[4].value);
+  const Bundle reversed = reversed_start(bundle, camera);
+  EXPECT_EQ(reversed.views[1].position, bundle.views[1].position);
+  EXPECT_EQ(reversed.points[4].value, bundle.points[4].value);
+}
+
+TEST(FlatStart, ReversesDepthsAtTheirMedian) {
+  Bundle bundle = wrong_bundle(motions[0], 2, 0, 0);
+  bundle.points[0].value[2] = 0.3;
+  bundle.points[1].value[2] = 0.8;
+  bundle.points[2].value[2] = 5;
+  const Bundle reversed = reversed_start(bundle, camera);
+  EXPECT_NEAR(reversed.points[0].value[2], 0.7, 1e-12);
+  EXPECT_NEAR(reversed.points[1].value[2], 0.2, 1e-12);
+  EXPECT_NEAR(reversed.points[2].value[2], 0.025, 1e-12) << "in front of the camera";
+  EXPECT_NEAR(reversed.points[3].value[2], 0.5, 1e-12);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ constexpr double sigma_pixel_px = 0.3;
 
 struct Options {
   std::string run, out;
-  int views = 300;
+  int views = 600;
 };
 
 /// Of the position, m, and rotation vector, in world axes.

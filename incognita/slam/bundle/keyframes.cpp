@@ -3,9 +3,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "incognita/math/median.hpp"
+#include "incognita/slam/bundle/flat_start.hpp"
 #include "incognita/slam/bundle/point_in_view.hpp"
 #include "incognita/slam/bundle/two_view_start.hpp"
 
@@ -305,19 +308,30 @@ bool Keyframes::start_again(const Camera& camera, const AdjustmentSettings& sett
   if (!is_starting()) return false;
   // Two views fit nearly any depths, and noise alone costs half of the rows
   if (view_count() < 3 && cost_ < static_cast<double>(bundle_.observations.size())) return false;
-  std::optional<Bundle> other = two_view_start(bundle_, camera, settings);
-  if (!other) return false;
+  if (std::ranges::any_of(bundle_.points, [](const BundlePoint& point) {
+        return point.kind != BundlePoint::Kind::inverse_depth;
+      }))
+    return false;  // known points give the start
   AdjustmentSettings thorough = settings;
   thorough.max_iterations *= times_iterations;
-  const AdjustmentReport report = incognita::adjust(*other, camera, thorough, equations_);
-  const auto is_better_than = [&](double cost) {
-    return report.outcome != AdjustmentReport::Outcome::refused && report.last_cost < better_share * cost;
+  Bundle best;
+  double least = std::numeric_limits<double>::infinity();
+  const auto try_from = [&](Bundle other) {
+    const AdjustmentReport report = incognita::adjust(other, camera, thorough, equations_);
+    if (report.outcome != AdjustmentReport::Outcome::refused && report.last_cost < least) {
+      least = report.last_cost;
+      best = other;
+    }
+    return other;
   };
-  if (!is_better_than(cost_)) return false;
+  const Bundle flat = try_from(flat_start(bundle_, camera));
+  try_from(reversed_start(flat, camera));
+  if (auto two_views = two_view_start(bundle_, camera, settings)) try_from(*std::move(two_views));
+  if (!(least < better_share * cost_)) return false;
   Bundle same = bundle_;
-  if (!is_better_than(incognita::adjust(same, camera, thorough, equations_).last_cost)) return false;
-  bundle_ = *std::move(other);
-  cost_ = report.last_cost;
+  if (!(least < better_share * incognita::adjust(same, camera, thorough, equations_).last_cost)) return false;
+  bundle_ = std::move(best);
+  cost_ = least;
   take_bundle();
   return true;
 }

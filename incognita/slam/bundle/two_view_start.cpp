@@ -6,6 +6,7 @@
 
 #include "incognita/math/median.hpp"
 #include "incognita/slam/bundle/adjust_bundle.hpp"
+#include "incognita/slam/bundle/flat_start.hpp"
 #include "incognita/slam/bundle/relative_pose.hpp"
 
 namespace incognita {
@@ -63,17 +64,6 @@ void place_views(std::vector<BundleView>& views, const RelativePose& pose, doubl
     views[i].position = first.position + share * baseline * world_from_first * pose.direction;
     views[i].world_from_camera =
         quaternion_product(first.world_from_camera, quaternion_exp<double>(share * turn));
-  }
-}
-
-/// Each point on the ray of its host, at this inverse depth.
-void put_on_rays(Bundle& bundle, const Camera& camera, double inverse_depth) {
-  for (const BundleObservation& seen : bundle.observations) {
-    BundlePoint& point = bundle.points[static_cast<std::size_t>(seen.point)];
-    if (point.kind != BundlePoint::Kind::inverse_depth || seen.view != point.host) continue;
-    if (const auto ray = camera.unproject(seen.pixel)) point.value.head<2>() = ray->head<2>();
-    point.initial_axes = bundle.views[static_cast<std::size_t>(seen.view)].world_from_camera;
-    point.value[2] = inverse_depth;
   }
 }
 

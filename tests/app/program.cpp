@@ -132,6 +132,17 @@ Ended incognita(const Words& arguments, const Circumstances& circumstances) {
   return Program(arguments, circumstances).wait();
 }
 
+std::vector<Eigen::Vector3d> positions(const fs::path& tum) {
+  std::vector<Eigen::Vector3d> out;
+  for (const std::string& line : lines(tum)) {
+    std::istringstream numbers(line);
+    double t = 0;
+    Eigen::Vector3d p;
+    if (numbers >> t >> p.x() >> p.y() >> p.z()) out.push_back(p);
+  }
+  return out;
+}
+
 bool has_lines(const fs::path& file, std::size_t count) {
   for (int i = 0; i < 3000; ++i) {
     if (lines(file).size() >= count) return true;

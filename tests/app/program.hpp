@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <sys/types.h>
 
+#include <Eigen/Core>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -63,6 +64,9 @@ bool has_lines(const std::filesystem::path& file, std::size_t count);
 
 /// All files below a folder, by relative path.
 std::set<std::string> everything_in(const std::filesystem::path& folder);
+
+/// x, y, z of each row of a file of poses, m.
+std::vector<Eigen::Vector3d> positions(const std::filesystem::path& tum);
 
 /// The summary of a run directory. Fails the test if it is not valid JSON or violates its schema in
 /// docs/schemas.

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -25,17 +24,6 @@ double ate_m(const Scratch& scratch, const std::string& estimate, const std::str
   return nlohmann::json::parse(ended.out)["ate_m"]["rmse"].get<double>();
 }
 
-std::vector<Eigen::Vector3d> positions(const std::filesystem::path& file) {
-  std::vector<Eigen::Vector3d> out;
-  for (const std::string& line : testing::lines(file)) {
-    std::istringstream cells(line);
-    double t = 0;
-    Eigen::Vector3d at;
-    if (cells >> t >> at.x() >> at.y() >> at.z()) out.push_back(at);
-  }
-  return out;
-}
-
 /// A camera with a target, 12 features and no adjustment of its own.
 TEST(ProgramAdjust, MakesTheTrajectoryOfARunMoreAccurate) {
   const Scratch scratch;
@@ -52,8 +40,8 @@ TEST(ProgramAdjust, MakesTheTrajectoryOfARunMoreAccurate) {
       testing::incognita({"adjust", "run", "--views", "40", "--out", "few.tum"}, scratch.folder());
   ASSERT_EQ(few.code, 0) << few.err;
   EXPECT_SAYS(few.out, "40 views of ");
-  const std::vector<Eigen::Vector3d> before = positions(scratch.folder() / "run" / "estimate.tum"),
-                                     after = positions(scratch.folder() / "few.tum");
+  const std::vector<Eigen::Vector3d> before = testing::positions(scratch.folder() / "run" / "estimate.tum"),
+                                     after = testing::positions(scratch.folder() / "few.tum");
   ASSERT_EQ(before.size(), after.size());
   double farthest_m = 0;
   for (std::size_t i = 1; i < 40; ++i) {

@@ -29,19 +29,6 @@ std::string row(int frame, const std::string& intervention) {
   return "{\"frame\":" + std::to_string(frame) + ",\"t\":0,\"intervention\":" + intervention + "}\n";
 }
 
-/// x, y, z of each row of a file of poses.
-std::vector<Eigen::Vector3d> positions(const std::filesystem::path& tum) {
-  std::vector<Eigen::Vector3d> out;
-  std::ifstream file(tum);
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream numbers(line);
-    double t = 0;
-    Eigen::Vector3d p;
-    if (numbers >> t >> p.x() >> p.y() >> p.z()) out.push_back(p);
-  }
-  return out;
-}
-
 TEST(ProgramInterventions, ADisplacedCameraIsLost) {
   const Scratch scratch;
   const Ended ended =
@@ -69,7 +56,7 @@ TEST(ProgramInterventions, ADrivenCameraGoesLeft) {
                     row(30, R"({"type":"drive","body":1,"forward":0,"left":1,"up":0,"turn":0})"),
                 {"--duration", "3"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  const auto truth = positions(scratch.folder() / "out/truth.tum");
+  const auto truth = testing::positions(scratch.folder() / "out/truth.tum");
   ASSERT_EQ(truth.size(), 90u);
   EXPECT_GT(truth.back().y() - truth[30].y(), 0.5);  // it looks along x
   EXPECT_LT(std::abs(truth.back().x() - truth[30].x()), 0.2);
@@ -82,7 +69,7 @@ TEST(ProgramInterventions, AVehicleOnAPathIsDrivenAndGivenBack) {
                 row(20, R"({"type":"take-over","body":1})") + row(60, R"({"type":"give-back","body":1})"),
                 {"--duration", "12"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  const auto truth = positions(scratch.folder() / "out/truth.tum");
+  const auto truth = testing::positions(scratch.folder() / "out/truth.tum");
   ASSERT_GT(truth.size(), 100u);
   EXPECT_LT((truth[58] - truth[25]).norm(), 0.05) << "taken over and not driven: it stands";
   EXPECT_GT((truth[100] - truth[60]).norm(), 0.5);

@@ -177,7 +177,7 @@ TEST(TwoViewStart, PutsPointsOfLaterViewsOnTheirRays) {
   EXPECT_EQ(start->points[5].initial_axes, start->views[1].world_from_camera);
 }
 
-/// A turn was taken for the translation: at this minimum adjustment stays, and from the flat start it leaves it.
+/// Whatever views and depths were before. Of the two minima the better one is the true one.
 TEST(FlatStart, LeadsAdjustmentToTheMinimumAfterASmallMotion) {
   const std::vector<Motion> small = {{"sideways", {0, 0.06, 0}, {0, 0, 0}},
                                      {"up with a turn", {0, 0.01, 0.06}, {0.02, 0.02, -0.01}}};

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "incognita/analysis/evaluation/pose_correction.hpp"
 #include "incognita/app/commands/recorded_matches.hpp"
 #include "incognita/app/console/print_message.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/math/median.hpp"
-#include "incognita/math/quaternion.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/files/durable_file.hpp"
 #include "incognita/record/snapshot/pose_rows.hpp"
@@ -32,30 +32,20 @@ struct Options {
   int views = 600;
 };
 
-/// Of the position, m, and rotation vector, in world axes.
-struct Correction {
-  Eigen::Vector3d position, rotation;
-};
-
-Correction correction(const StampedPose& from, const BundleView& to) {
-  return {to.position - from.position,
-          quaternion_log(quaternion_product(to.world_from_camera, quaternion_conjugate(from.orientation)))};
-}
-
 /// All poses of the run: those of views as adjusted, those between moved by the corrections of the two nearest, linear in time.
 Trajectory adjusted_trajectory(const RecordedMatches& run, const std::vector<BundleView>& views) {
+  std::vector<PoseCorrection> corrections;
+  for (std::size_t i = 0; i < views.size(); ++i)
+    corrections.push_back(correction(run.estimate[run.view[i]], {.position = views[i].position,
+                                                                 .orientation = views[i].world_from_camera}));
   Trajectory out = run.estimate;
   std::size_t next = 0;
   for (std::size_t k = 0; k < out.size(); ++k) {
     while (next + 1 < run.view.size() && run.view[next] < k) ++next;
     const std::size_t before = next > 0 && run.view[next] > k ? next - 1 : next;
-    const StampedPose &a = run.estimate[run.view[before]], &b = run.estimate[run.view[next]];
-    const double share = b.t > a.t ? (out[k].t - a.t) / (b.t - a.t) : 0;
-    const Correction from = correction(a, views[before]), to = correction(b, views[next]);
-    out[k].position += from.position + share * (to.position - from.position);
-    out[k].orientation = quaternion_product(
-        quaternion_exp(Eigen::Vector3d(from.rotation + share * (to.rotation - from.rotation))),
-        out[k].orientation);
+    const double from_t = out[run.view[before]].t, to_t = out[run.view[next]].t;
+    const double share = to_t > from_t ? (out[k].t - from_t) / (to_t - from_t) : 0;
+    out[k] = corrected(out[k], between(corrections[before], corrections[next], share));
   }
   return out;
 }

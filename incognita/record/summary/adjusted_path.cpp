@@ -1,34 +1,9 @@
 #include "incognita/record/summary/adjusted_path.hpp"
 
-#include "incognita/math/quaternion.hpp"
+#include "incognita/analysis/evaluation/pose_correction.hpp"
 #include "incognita/record/snapshot/series.hpp"
 
 namespace incognita {
-namespace {
-
-/// Of the position, m, and rotation vector, both in world axes.
-struct Correction {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero(), rotation = Eigen::Vector3d::Zero();
-};
-
-Correction correction(const StampedPose& from, const StampedPose& to) {
-  return {to.position - from.position,
-          quaternion_log(quaternion_product(to.orientation, quaternion_conjugate(from.orientation)))};
-}
-
-StampedPose corrected(StampedPose pose, const Correction& c) {
-  pose.position += c.position;
-  pose.orientation = quaternion_product(quaternion_exp(c.rotation), pose.orientation);
-  return pose;
-}
-
-/// A share of the way from one to the other.
-Correction between(const Correction& a, const Correction& b, double share) {
-  return {a.position + share * (b.position - a.position), a.rotation + share * (b.rotation - a.rotation)};
-}
-
-}  // namespace
-
 void AdjustedPath::add(const Snapshot& s) {
   if (s.bodies.size() != 1) return;
   if (has_pose(s.bodies[0])) {
@@ -49,14 +24,14 @@ Trajectory AdjustedPath::trajectory() const {
   if (keyframes_.empty()) return out;
   auto next = keyframes_.begin();
   double last_t = next->first, last_traveled_m = 0;  // of the last keyframe
-  Correction last;
+  PoseCorrection last;
   for (const Filtered& frame : filtered_) {
     for (; next != keyframes_.end() && next->first <= frame.pose.t; ++next) {
       last_t = next->first;
       last_traveled_m = frame.traveled_m;
       if (last_t == frame.pose.t) last = correction(frame.pose, next->second.adjusted);
     }
-    Correction now = last;
+    PoseCorrection now = last;
     if (next != keyframes_.end() && next->second.before && last_t < frame.pose.t) {
       const Filtered& before = *next->second.before;
       const double distance_m = before.traveled_m - last_traveled_m;

@@ -83,17 +83,23 @@ double RobustCost::weight(double squared_sigmas) const {
   return sigmas <= limit_sigmas ? 1 : limit_sigmas / sigmas;
 }
 
+std::optional<Eigen::Vector2d> predicted_pixel(const Bundle& bundle, const BundleObservation& observation,
+                                               const Camera& camera) {
+  const BundlePoint& point = bundle.points[static_cast<std::size_t>(observation.point)];
+  const CameraState x = camera_state(bundle.views[static_cast<std::size_t>(observation.view)]);
+  const Eigen::Vector3d along =
+      point.kind == BundlePoint::Kind::inverse_depth
+          ? InverseDepthLandmark{point.initial_axes}.in_camera<double>(x, inverse_depth_state(bundle, point))
+          : PointLandmark::in_camera<double>(x, point.value);
+  const auto predicted = camera.project(along);
+  return predicted ? std::optional(predicted->pixel) : std::nullopt;
+}
+
 double cost_of(const Bundle& bundle, const Camera& camera, const RobustCost& robust) {
   double sum = 0;
   for (const BundleObservation& observation : bundle.observations) {
-    const BundlePoint& point = bundle.points[static_cast<std::size_t>(observation.point)];
-    const CameraState x = camera_state(bundle.views[static_cast<std::size_t>(observation.view)]);
-    const Eigen::Vector3d along = point.kind == BundlePoint::Kind::inverse_depth
-                                      ? InverseDepthLandmark{point.initial_axes}.in_camera<double>(
-                                            x, inverse_depth_state(bundle, point))
-                                      : PointLandmark::in_camera<double>(x, point.value);
-    const auto predicted = camera.project(along);
-    sum += robust.cost(predicted ? squared_sigmas(observation.pixel - predicted->pixel, observation.cov)
+    const auto predicted = predicted_pixel(bundle, observation, camera);
+    sum += robust.cost(predicted ? squared_sigmas(observation.pixel - *predicted, observation.cov)
                                  : behind_camera_sigmas * behind_camera_sigmas);
   }
   for (const BundlePoint& point : bundle.points)

@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "incognita/models/sensors/camera.hpp"
@@ -16,6 +17,10 @@ struct RobustCost {
   double cost(double squared_sigmas) const;    ///< half the squared error of an inlier
   double weight(double squared_sigmas) const;  ///< of its equations, 1 for an inlier
 };
+
+/// Where a measurement is predicted, px; nothing for a point that is not in front of the camera.
+std::optional<Eigen::Vector2d> predicted_pixel(const Bundle& bundle, const BundleObservation& observation,
+                                               const Camera& camera);
 
 /// Cost of a bundle: the sum over its measurements and priors. A point that is not in front of a camera costs as much as
 /// an error of 100 sigma.

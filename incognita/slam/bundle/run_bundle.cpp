@@ -7,7 +7,7 @@
 
 #include "incognita/math/median.hpp"
 #include "incognita/math/quaternion.hpp"
-#include "incognita/models/sensors/camera_measurement.hpp"
+#include "incognita/slam/bundle/bundle_equations.hpp"
 
 namespace incognita {
 namespace {
@@ -68,13 +68,6 @@ BundlePoint known_point(const Eigen::Vector3d& at) {
   return point;
 }
 
-Eigen::Vector3d in_camera(const Bundle& bundle, const BundlePoint& point, const CameraState& x) {
-  if (point.kind != BundlePoint::Kind::inverse_depth) return PointLandmark::in_camera<double>(x, point.value);
-  InverseDepthLandmark::State y;
-  y << bundle.views[static_cast<std::size_t>(point.host)].position, point.value;
-  return InverseDepthLandmark{point.initial_axes}.in_camera<double>(x, y);
-}
-
 }  // namespace
 
 Bundle bundle_of(const RunMatches& run, const Camera& camera, double sigma_pixel_px) {
@@ -111,14 +104,9 @@ Bundle bundle_of(const RunMatches& run, const Camera& camera, double sigma_pixel
 
 std::vector<double> residuals_px(const Bundle& bundle, const Camera& camera) {
   std::vector<double> out;
-  for (const BundleObservation& o : bundle.observations) {
-    CameraState x = CameraState::Zero();
-    const BundleView& view = bundle.views[static_cast<std::size_t>(o.view)];
-    x.head<3>() = view.position;
-    x.segment<4>(3) = view.world_from_camera;
-    const auto predicted =
-        camera.project(in_camera(bundle, bundle.points[static_cast<std::size_t>(o.point)], x));
-    out.push_back(predicted ? (o.pixel - predicted->pixel).norm() : std::numeric_limits<double>::infinity());
+  for (const BundleObservation& seen : bundle.observations) {
+    const auto predicted = predicted_pixel(bundle, seen, camera);
+    out.push_back(predicted ? (seen.pixel - *predicted).norm() : std::numeric_limits<double>::infinity());
   }
   return out;
 }

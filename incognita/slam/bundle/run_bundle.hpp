@@ -1,4 +1,4 @@
-// The matches of a whole run as one bundle: the most accurate trajectory that they allow, after the run.
+// The matches of a whole run as one bundle, for adjustment after its end.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,10 @@ struct RunMatches {
   std::map<std::int64_t, Eigen::Vector3d> known;  ///< positions of anchors, m
 };
 
-/// Anchors, and landmarks of least_matches_of_landmark or more, in inverse depth from their first view, beginning where their rays intersect; where they do
-/// not, at the median depth of the others. Anchors give frame and scale; without any the first view keeps its pose, and weak priors, of
-/// twice the inverse depth, hold the scale. `sigma_pixel_px`: of all measurements.
+/// Anchors at their positions, and other landmarks of least_matches_of_landmark matches or more in inverse depth from their first view:
+/// where their rays intersect or else, without parallax, at the median depth of the others. Anchors give frame and scale. Without any the
+/// first view keeps its pose, and weak priors, of twice the inverse depth, hold the scale. `run`: of one view or more.
+/// `sigma_pixel_px`: of each coordinate of all measurements.
 Bundle bundle_of(const RunMatches& run, const Camera& camera, double sigma_pixel_px);
 
 /// Distance of each measurement from its prediction, px, in the order of the bundle; infinite for points that are not in front of the

@@ -32,6 +32,8 @@ export class SceneView {
     grid: true,
   };
   landmarks = new Landmarks();
+  /** @type {number | null} frame of the snapshot that the objects show: the next drawing brings a newer one */
+  drawnFrame = null;
   #bodies = new Bodies();
   #surroundings = new Surroundings();
   /** @type {{estimate: ThickLine, truth: ThickLine}[]} */
@@ -108,6 +110,7 @@ export class SceneView {
   #updateObjects() {
     this.#changed.snapshot = false;
     const snapshot = this.run.snapshot;
+    this.drawnFrame = snapshot?.frame ?? null;
     this.landmarks.update(snapshot);
     this.#bodies.update(snapshot?.bodies ?? []);
     if (this.layers.unseen) this.#surroundings.updateUnseen(snapshot?.exploration);

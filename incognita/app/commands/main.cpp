@@ -1,6 +1,4 @@
 // The program: selects the command and maps exceptions to exit codes.
-#include <malloc.h>
-
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <functional>
@@ -21,15 +19,6 @@
 namespace {
 
 enum ExitCode { done = 0, job_failed = 1, bad_input = 2 };
-
-/// Gives blocks of 128 KiB and more back to the system when they are freed. glibc raises this limit with the largest block
-/// that was freed, up to 32 MiB; covariances and pictures of changing size then leave holes in the heap, and a long run
-/// would hold several times the memory that it uses.
-void return_large_blocks() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
-#endif
-}
 
 int carry_out(int argc, char** argv) {
   CLI::App app{
@@ -67,7 +56,6 @@ int carry_out(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return_large_blocks();
   incognita::take_closed_streams();
   const int code = carry_out(argc, argv);
   const std::string lost = incognita::why_output_failed();

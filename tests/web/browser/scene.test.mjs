@@ -15,9 +15,9 @@ test('landmarks and their ellipsoids are those of the snapshot', async (t) => {
   await pause(page);
   const viewer = await connectViewer(t, run.address);
   const { frame, landmarks } = await until(() => viewer.snapshot, 'a snapshot');
-  await page.waitForFunction((wanted) => window.incognita.snapshot.frame === wanted, frame);
+  await page.waitForFunction((wanted) => window.incognita.scenes()[0].drawnFrame === wanted, frame);
   const estimated = landmarks.filter(({ kind }) => kind === 'landmark');
-  await page.waitForFunction((wanted) => window.incognita.landmarkCount() === wanted, estimated.length);
+  assert.equal(await page.evaluate(() => window.incognita.landmarkCount()), estimated.length);
   const drawn = await page.evaluate((ids) => ids.map((id) => window.incognita.ellipsoid(id)), estimated.map(({ id }) => id));
   estimated.forEach((landmark, k) => compare(landmark, drawn[k]));
 });

@@ -246,8 +246,9 @@ bool SlamEstimator::may_jump(const Estimate& e, const FeatureTracker& camera) co
 /// `least`.
 void SlamEstimator::search_after_jump(Estimate& e, FeatureTracker& camera, const Jump& jump, int least,
                                       StageClock& stage) {
-  AnyBelief belief_before = e.belief;
-  TrackedCamera camera_before = camera.camera();
+  AnyBelief belief_before;  // a copy takes longer than all the rest
+  if (least > 0) belief_before = e.belief;
+  TrackedCamera camera_before = camera.results_of_frame();
   const std::size_t body = camera.camera().body;
   add_jump(e, body, jump, e.bodies[body].t - camera.last_image_t());
   predict_features(e, camera);
@@ -255,20 +256,20 @@ void SlamEstimator::search_after_jump(Estimate& e, FeatureTracker& camera, const
   search_features(e, camera, stage);
   if (camera.matched() >= least) return;
   e.belief = std::move(belief_before);
-  camera.restore(std::move(camera_before));
+  camera.restore_results(std::move(camera_before));
 }
 
 /// The whole image turned by more than the motion model allows. Its alignment may be wrong, by a shadow for example: searches
-/// without it and then with it, and leaves it out if more features, and enough to track, are found without.
+/// without it, and with it only if too few features are found.
 void SlamEstimator::search_after_turn(Estimate& e, FeatureTracker& camera, const Eigen::Vector3d& turn,
                                       StageClock& stage) {
   constexpr double translation_share = 0.5;  // of the image motion, in standard deviations of the turn
   camera.forget_alignment();
   search_features(e, camera, stage);
-  const bool enough = !found_few(camera);
+  if (!found_few(camera)) return;
   const double rad = turn.norm();
   const Jump jump{turn, translation_share * rad * camera.camera().median_depth_m, rad};
-  search_after_jump(e, camera, jump, enough ? camera.matched() : 0, stage);
+  search_after_jump(e, camera, jump, 0, stage);
 }
 
 /// A jolt moves a camera by more than its motion model allows, and the alignment of the image shows the turn only.

@@ -246,8 +246,7 @@ bool SlamEstimator::may_jump(const Estimate& e, const FeatureTracker& camera) co
 /// `least`.
 void SlamEstimator::search_after_jump(Estimate& e, FeatureTracker& camera, const Jump& jump, int least,
                                       StageClock& stage) {
-  AnyBelief belief_before;  // a copy takes longer than all the rest
-  if (least > 0) belief_before = e.belief;
+  AnyBelief belief_before = e.belief;
   TrackedCamera camera_before = camera.results_of_frame();
   const std::size_t body = camera.camera().body;
   add_jump(e, body, jump, e.bodies[body].t - camera.last_image_t());
@@ -260,16 +259,16 @@ void SlamEstimator::search_after_jump(Estimate& e, FeatureTracker& camera, const
 }
 
 /// The whole image turned by more than the motion model allows. Its alignment may be wrong, by a shadow for example: searches
-/// without it, and with it only if too few features are found.
+/// without it and then with it, and leaves it out if more features, and enough to track, are found without.
 void SlamEstimator::search_after_turn(Estimate& e, FeatureTracker& camera, const Eigen::Vector3d& turn,
                                       StageClock& stage) {
   constexpr double translation_share = 0.5;  // of the image motion, in standard deviations of the turn
   camera.forget_alignment();
   search_features(e, camera, stage);
-  if (!found_few(camera)) return;
+  const bool enough = !found_few(camera);
   const double rad = turn.norm();
   const Jump jump{turn, translation_share * rad * camera.camera().median_depth_m, rad};
-  search_after_jump(e, camera, jump, 0, stage);
+  search_after_jump(e, camera, jump, enough ? camera.matched() : 0, stage);
 }
 
 /// A jolt moves a camera by more than its motion model allows, and the alignment of the image shows the turn only.

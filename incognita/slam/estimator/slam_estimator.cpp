@@ -247,7 +247,7 @@ bool SlamEstimator::may_jump(const Estimate& e, const FeatureTracker& camera) co
 void SlamEstimator::search_after_jump(Estimate& e, FeatureTracker& camera, const Jump& jump, int least,
                                       StageClock& stage) {
   AnyBelief belief_before = e.belief;
-  TrackedCamera camera_before = camera.results_of_frame();
+  TrackedCamera camera_before = camera.camera();
   const std::size_t body = camera.camera().body;
   add_jump(e, body, jump, e.bodies[body].t - camera.last_image_t());
   predict_features(e, camera);
@@ -255,7 +255,7 @@ void SlamEstimator::search_after_jump(Estimate& e, FeatureTracker& camera, const
   search_features(e, camera, stage);
   if (camera.matched() >= least) return;
   e.belief = std::move(belief_before);
-  camera.restore_results(std::move(camera_before));
+  camera.restore(std::move(camera_before));
 }
 
 /// The whole image turned by more than the motion model allows. Its alignment may be wrong, by a shadow for example: searches

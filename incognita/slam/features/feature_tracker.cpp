@@ -247,18 +247,6 @@ void FeatureTracker::append_relinearized(const Estimate& estimate, const AnyMoti
       measurements.push_back(with_lasting(relinearized_measurement(match, estimate, camera_), match));
 }
 
-TrackedCamera FeatureTracker::results_of_frame() {
-  std::map<std::int64_t, Feature> features = std::exchange(camera_.features, {});
-  TrackedCamera results = camera_;
-  camera_.features = std::move(features);
-  return results;
-}
-
-void FeatureTracker::restore_results(TrackedCamera before) {
-  before.features = std::move(camera_.features);
-  camera_ = std::move(before);
-}
-
 void FeatureTracker::discard_matches() {
   for (FeatureMatch& match : camera_.matches)
     if (match.outcome == MatchOutcome::matched) match.outcome = MatchOutcome::outlier;

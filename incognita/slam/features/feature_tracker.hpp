@@ -139,9 +139,6 @@ class FeatureTracker {
   const TrackedCamera& camera() const { return camera_; }
   /// Takes the results of this frame back to those of a copy of camera() from before a further search.
   void restore(TrackedCamera before) { camera_ = std::move(before); }
-  /// The same for a search that leaves the features as they are: a copy of camera() without them, which are most of it.
-  TrackedCamera results_of_frame();
-  void restore_results(TrackedCamera before);
   int matched() const { return camera_.matched; }
 
  private:

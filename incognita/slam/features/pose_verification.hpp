@@ -19,7 +19,7 @@ struct PoseEvidence {
   PoseCov cov = PoseCov::Identity();  ///< of that pose, landmarks taken as independent
   std::vector<FeatureMatch> matches;  ///< of all landmarks that were searched for, predicted at that pose
   int matched = 0;                    ///< jointly consistent ones, whose outcome is `matched`
-  double nis = 0;                     ///< of their innovations at that pose, by the map and the noise of a match in a new view
+  double nis = 0;                     ///< of their innovations at that pose, by map and noise in a new view
   double spread_px = 0;               ///< rms distance of their pixels from a line through them
 };
 

@@ -88,13 +88,7 @@ Matrix3<S> rotation_exp(const Vector3<S>& e) {
 }
 
 /// Right Jacobian of SO(3): exp(e + d) = exp(e) exp(J_r(e) d) to first order in d (Sola et al. 2018, eq. 143).
-inline Eigen::Matrix3d right_jacobian(const Eigen::Vector3d& e) {
-  const double a2 = e.squaredNorm();
-  const Eigen::Matrix3d k = skew(e);
-  if (a2 < 1e-8) return Eigen::Matrix3d::Identity() - 0.5 * k + (1.0 / 6.0) * k * k;
-  const double a = std::sqrt(a2);
-  return Eigen::Matrix3d::Identity() - (1 - std::cos(a)) / a2 * k + (a - std::sin(a)) / (a2 * a) * k * k;
-}
+Eigen::Matrix3d right_jacobian(const Eigen::Vector3d& e);
 
 /// Unit quaternion of a rotation matrix, with w >= 0. Accurate for all rotations (Shepperd's method).
 Eigen::Vector4d quaternion_from_matrix(const Eigen::Matrix3d& rotation);

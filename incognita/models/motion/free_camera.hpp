@@ -12,7 +12,6 @@
 
 #include "incognita/math/chart.hpp"
 #include "incognita/math/quaternion.hpp"
-#include "incognita/models/motion/heading.hpp"
 #include "incognita/models/motion/motion_model.hpp"
 
 namespace incognita {
@@ -85,15 +84,11 @@ struct FreeCameraMotion {
 
   Step step(const State<double>& x, const Input<double>& u, double dt) const;
 
-  PoseOf<error_size> pose(const State<double>& x) const {
-    return pose_in_space<error_size>(x.head<3>(), x.segment<4>(3));
-  }
+  PoseOf<error_size> pose(const State<double>& x) const;
   /// Heading of the optical axis.
-  double heading(const State<double>& x) const { return heading_of(x.segment<4>(3)); }
+  double heading(const State<double>& x) const;
   /// The camera is level.
-  static State<double> at_rest(const Eigen::Vector3d& position, double heading) {
-    return (State<double>() << position, level_gaze(heading), Eigen::Matrix<double, 6, 1>::Zero()).finished();
-  }
+  static State<double> at_rest(const Eigen::Vector3d& position, double heading);
 };
 
 /// Accessors to the parts of a free camera's state.
@@ -139,22 +134,6 @@ FreeCameraMotion::State<S> FreeCameraMotion::f(const State<S>& x, const Input<S>
   y.template segment<3>(7) = v;
   y.template segment<3>(10) = w;
   return y;
-}
-
-inline FreeCameraMotion::Step FreeCameraMotion::step(const State<double>& x, const Input<double>& u,
-                                                     double dt) const {
-  Step s{f<double>(x, u, dt), Jacobian::Identity(), InputJacobian::Zero()};
-  const Eigen::Matrix3d I = Eigen::Matrix3d::Identity();
-  const Eigen::Vector3d turn = (x.segment<3>(10) + u.tail<3>() * dt) * dt;
-  const Eigen::Matrix3d J = right_jacobian(turn);
-  s.F.block<3, 3>(0, 6) = dt * I;
-  s.F.block<3, 3>(3, 3) = rotation_exp<double>(-turn);
-  s.F.block<3, 3>(3, 9) = dt * J;
-  s.G.block<3, 3>(0, 0) = dt * dt * I;
-  s.G.block<3, 3>(3, 3) = dt * dt * J;
-  s.G.block<3, 3>(6, 0) = dt * I;
-  s.G.block<3, 3>(9, 3) = dt * I;
-  return s;
 }
 
 }  // namespace incognita

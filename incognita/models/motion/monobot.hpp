@@ -51,11 +51,9 @@ struct MonobotMotion {
     return x + u * S(dt);
   }
 
-  Step step(const State<double>& x, const Input<double>& u, double dt) const {
-    return {f<double>(x, u, dt), Jacobian::Identity(), InputJacobian::Constant(dt)};
-  }
+  Step step(const State<double>& x, const Input<double>& u, double dt) const;
 
-  PoseOf<error_size> pose(const State<double>& x) const { return pose_on_line<error_size>(x[0]); }
+  PoseOf<error_size> pose(const State<double>& x) const;
   double heading(const State<double>&) const { return 0; }
   static State<double> at_rest(const Eigen::Vector3d& position, double) {
     return State<double>(position.x());
@@ -76,8 +74,8 @@ struct RelativePosition {
   };
 
   /// (3.6)
-  static Prediction predict_measurement(double robot, double landmark) { return {Scalar(landmark - robot)}; }
-  static Initialization initialize(double robot, double z) { return {Scalar(robot + z)}; }
+  static Prediction predict_measurement(double robot, double landmark);
+  static Initialization initialize(double robot, double z);
 };
 
 }  // namespace incognita

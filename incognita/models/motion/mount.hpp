@@ -27,9 +27,7 @@ struct MountedCamera {
 };
 
 /// Pose of a planar vehicle on the floor z = 0.
-inline PoseOf<3> on_floor(const planar::Pose<double>& pose) {
-  return pose_on_floor<3>(pose[0], pose[1], pose[2]);
-}
+PoseOf<3> on_floor(const planar::Pose<double>& pose);
 
 struct Mount {
   double forward_m = 0;  ///< optical center relative to the vehicle's reference point, body axes
@@ -57,11 +55,7 @@ struct Mount {
   Vector3<double> lever() const { return {forward_m, left_m, up_m}; }
 
   /// Columns: the camera's right, down and forward axes in body axes.
-  Matrix3<double> body_from_camera() const {
-    const double c = std::cos(pitch_rad), s = std::sin(pitch_rad);
-    const Matrix3<double> pitched = (Matrix3<double>() << 0, s, c, -1, 0, 0, 0, -c, s).finished();
-    return rotation_exp<double>(Vector3<double>(0, 0, yaw_rad)) * pitched;
-  }
+  Matrix3<double> body_from_camera() const;
 
   /// Camera pose on the body. The camera moves by dp + R (e x lever) when the body moves by dp and rotates by
   /// e (body axes).

@@ -11,20 +11,12 @@
 
 namespace incognita::planar {
 
-inline Eigen::Matrix2d rotation(double heading) {
-  const double c = std::cos(heading), s = std::sin(heading);
-  return (Eigen::Matrix2d() << c, -s, s, c).finished();
-}
+Eigen::Matrix2d rotation(double heading);
 
 /// d(error at `to`) / d(error at `from`) of any motion that is invariant to the initial pose. With the mean
 /// as `from` this is F of the vehicle models; with another pose it is the first-estimate Jacobian of Huang,
 /// Mourikis and Roumeliotis (ISER 2008, eq. 28).
-inline PoseJacobian jacobian_between(const Pose<double>& from, const Pose<double>& to) {
-  PoseJacobian F = PoseJacobian::Identity();
-  F(0, 2) = -(to[1] - from[1]);
-  F(1, 2) = to[0] - from[0];
-  return F;
-}
+PoseJacobian jacobian_between(const Pose<double>& from, const Pose<double>& to);
 
 struct FramedPoint {
   Eigen::Vector2d point;
@@ -39,37 +31,15 @@ struct FramedPose {
 };
 
 /// A point expressed in `frame`: R' (point - position).
-inline FramedPoint in_frame(const Pose<double>& frame, const Eigen::Vector2d& point) {
-  const Eigen::Matrix2d Rt = rotation(frame[2]).transpose();
-  FramedPoint out{Rt * (point - frame.head<2>()), {}, Rt};
-  out.by_frame << -Rt, Eigen::Vector2d(out.point.y(), -out.point.x());
-  return out;
-}
+FramedPoint in_frame(const Pose<double>& frame, const Eigen::Vector2d& point);
 
 /// A point given in `frame`, expressed in the parent frame of `frame`: position + R point.
-inline FramedPoint out_of_frame(const Pose<double>& frame, const Eigen::Vector2d& point) {
-  const Eigen::Matrix2d R = rotation(frame[2]);
-  const Eigen::Vector2d turned = R * point;
-  FramedPoint out{frame.head<2>() + turned, {}, R};
-  out.by_frame << Eigen::Matrix2d::Identity(), Eigen::Vector2d(-turned.y(), turned.x());
-  return out;
-}
+FramedPoint out_of_frame(const Pose<double>& frame, const Eigen::Vector2d& point);
 
 /// A pose expressed in `frame`.
-inline FramedPose in_frame(const Pose<double>& frame, const Pose<double>& pose) {
-  const FramedPoint at = in_frame(frame, Eigen::Vector2d(pose.head<2>()));
-  FramedPose out{{at.point.x(), at.point.y(), wrap_angle(pose[2] - frame[2])},
-                 PoseJacobian::Zero(),
-                 PoseJacobian::Identity()};
-  out.by_frame.topRows<2>() = at.by_frame;
-  out.by_frame(2, 2) = -1;
-  out.by_pose.topLeftCorner<2, 2>() = at.by_point;
-  return out;
-}
+FramedPose in_frame(const Pose<double>& frame, const Pose<double>& pose);
 
 /// The inverse pose, with its Jacobian by_frame with respect to `pose`.
-inline FramedPose inverse(const Pose<double>& pose) {
-  return in_frame(pose, Pose<double>(Pose<double>::Zero()));
-}
+FramedPose inverse(const Pose<double>& pose);
 
 }  // namespace incognita::planar

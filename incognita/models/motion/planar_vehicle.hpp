@@ -81,7 +81,7 @@ struct DifferentialDrive {
   const Input<S>& at_axle(const Input<S>& u) const {
     return u;
   }
-  Eigen::Matrix2d axle_by_input(const Input<double>&) const { return Eigen::Matrix2d::Identity(); }
+  Eigen::Matrix2d axle_by_input(const Input<double>&) const;
   const DifferentialDrive& point() const { return *this; }
 
   /// d(state)/dt (m/s, m/s, rad/s): the continuous form of (3.16), with an additional lateral offset of the point.
@@ -100,26 +100,11 @@ struct DifferentialDrive {
     return State<S>(x[0] + d[0] * S(dt), x[1] + d[1] * S(dt), wrap_angle<S>(x[2] + d[2] * S(dt)));
   }
 
-  Step step(const State<double>& x, const Input<double>& u, double dt) const {
-    const double c = std::cos(x[2]), s = std::sin(x[2]);
-    const double along = u[0] - u[1] * left_m, across = u[1] * forward_m;
-    Step step{f<double>(x, u, dt), Jacobian::Identity(), InputJacobian::Zero()};
-    step.F(0, 2) = -(along * s + across * c) * dt;  // (3.17) has an error in the last entry of this row
-    step.F(1, 2) = (along * c - across * s) * dt;
-    step.G << c, -left_m * c - forward_m * s,  //
-        s, -left_m * s + forward_m * c,        //
-        0, 1;                                  // (3.18) lacks dt in this row
-    step.G *= dt;
-    return step;
-  }
+  Step step(const State<double>& x, const Input<double>& u, double dt) const;
 
-  PoseOf<error_size> pose(const State<double>& x) const {
-    return pose_on_floor<error_size>(x[0], x[1], x[2]);
-  }
+  PoseOf<error_size> pose(const State<double>& x) const;
   double heading(const State<double>& x) const { return x[2]; }
-  static State<double> at_rest(const Eigen::Vector3d& position, double heading) {
-    return {position.x(), position.y(), heading};
-  }
+  static State<double> at_rest(const Eigen::Vector3d& position, double heading);
 };
 
 /// A car with front-wheel steering whose speed is measured at the left rear wheel. Input (2): speed of that
@@ -189,28 +174,14 @@ struct AckermannCar {
   }
 
   /// d(at_axle) / d(input)
-  Eigen::Matrix2d axle_by_input(const Input<double>& u) const {
-    const double curvature = std::tan(u[1]) / wheelbase_m;
-    const double d_curvature = (1 + std::pow(std::tan(u[1]), 2)) / wheelbase_m;  // by the steering angle
-    const double slower = 1 - curvature * wheel_left_m;
-    Eigen::Matrix2d J;
-    J << 1 / slower, u[0] * wheel_left_m * d_curvature / (slower * slower),  //
-        curvature / slower, u[0] * d_curvature / (slower * slower);
-    return J;
-  }
+  Eigen::Matrix2d axle_by_input(const Input<double>& u) const;
   const DifferentialDrive& point() const { return body; }
 
-  Step step(const State<double>& x, const Input<double>& u, double dt) const {
-    Step step = body.step(x, at_axle<double>(u), dt);
-    step.G = (step.G * axle_by_input(u)).eval();
-    return step;
-  }
+  Step step(const State<double>& x, const Input<double>& u, double dt) const;
 
-  PoseOf<error_size> pose(const State<double>& x) const { return body.pose(x); }
+  PoseOf<error_size> pose(const State<double>& x) const;
   double heading(const State<double>& x) const { return x[2]; }
-  static State<double> at_rest(const Eigen::Vector3d& position, double heading) {
-    return DifferentialDrive::at_rest(position, heading);
-  }
+  static State<double> at_rest(const Eigen::Vector3d& position, double heading);
 };
 
 }  // namespace incognita

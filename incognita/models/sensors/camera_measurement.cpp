@@ -29,6 +29,8 @@ std::optional<PointLandmark::Prediction> PointLandmark::predict_measurement(cons
                     projected->J * camera_from_world};
 }
 
+Eigen::Matrix3d PointLandmark::by_world_turn(const State& point) { return -skew<double>(point); }
+
 std::optional<InverseDepthLandmark::Prediction> InverseDepthLandmark::predict_measurement(
     const Camera& camera, const CameraState& x, const State& y) const {
   const Eigen::Matrix3d camera_from_world = rotation_matrix<double>(free_camera::orientation(x)).transpose();

@@ -42,7 +42,7 @@ struct PointLandmark {
                                                        const State& point);
 
   /// d(point) / d(turn of the world about its origin, rad, world axes).
-  static Eigen::Matrix3d by_world_turn(const State& point) { return -skew<double>(point); }
+  static Eigen::Matrix3d by_world_turn(const State& point);
 };
 
 struct InverseDepthLandmark {

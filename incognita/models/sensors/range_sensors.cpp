@@ -20,6 +20,34 @@ std::string incompatibility_of_scanner(const MotionTraits& motion) {
   return "";
 }
 
+std::optional<AnyPrediction> RelativePositionSensor::predict_measurement(const Pose& pose,
+                                                                         const LandmarkParametrization&,
+                                                                         const SmallVector& landmark) const {
+  const auto prediction = RelativePosition::predict_measurement(pose[0], landmark[0]);
+  return AnyPrediction{prediction.z, prediction.Hv, prediction.Hl};
+}
+
+std::optional<AnyInitialization> RelativePositionSensor::initialize(const Pose& pose, const SmallVector& z,
+                                                                    double) const {
+  const auto initialized = RelativePosition::initialize(pose[0], z[0]);
+  return AnyInitialization{{}, Chart::line(1), initialized.landmark, initialized.Jv, initialized.Jz, {}};
+}
+
+std::optional<AnyPrediction> RangeBearingSensor::predict_measurement(const Pose& pose,
+                                                                     const LandmarkParametrization&,
+                                                                     const SmallVector& landmark) const {
+  const auto prediction = RangeBearing::predict_measurement(pose, Eigen::Vector2d(landmark));
+  if (!prediction) return std::nullopt;
+  return AnyPrediction{prediction->z, prediction->Hv, prediction->Hl};
+}
+
+std::optional<AnyInitialization> RangeBearingSensor::initialize(const Pose& pose, const SmallVector& z,
+                                                                double) const {
+  const auto initialized = RangeBearing::initialize(pose, Eigen::Vector2d(z));
+  return AnyInitialization{
+      {}, RangeBearing::landmark_chart, initialized.landmark, initialized.Jv, initialized.Jz, {}};
+}
+
 std::optional<AnyPrediction> BearingSensor::predict_measurement(const Pose& pose,
                                                                 const LandmarkParametrization& form,
                                                                 const SmallVector& landmark) const {

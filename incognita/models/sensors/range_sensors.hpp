@@ -35,14 +35,8 @@ struct RelativePositionSensor {
 
   static std::string incompatibility(const MotionTraits& motion);
   std::optional<AnyPrediction> predict_measurement(const Pose& pose, const LandmarkParametrization&,
-                                                   const SmallVector& landmark) const {
-    const auto prediction = RelativePosition::predict_measurement(pose[0], landmark[0]);
-    return AnyPrediction{prediction.z, prediction.Hv, prediction.Hl};
-  }
-  std::optional<AnyInitialization> initialize(const Pose& pose, const SmallVector& z, double) const {
-    const auto initialized = RelativePosition::initialize(pose[0], z[0]);
-    return AnyInitialization{{}, Chart::line(1), initialized.landmark, initialized.Jv, initialized.Jz, {}};
-  }
+                                                   const SmallVector& landmark) const;
+  std::optional<AnyInitialization> initialize(const Pose& pose, const SmallVector& z, double) const;
   bool in_field_of_view(const AnyPrediction&, const SensorLimits&) const { return true; }
   bool is_possible(const SmallVector&) const { return true; }
 };
@@ -63,16 +57,8 @@ struct RangeBearingSensor {
     return incompatibility_of_scanner(motion);
   }
   std::optional<AnyPrediction> predict_measurement(const Pose& pose, const LandmarkParametrization&,
-                                                   const SmallVector& landmark) const {
-    const auto prediction = RangeBearing::predict_measurement(pose, Eigen::Vector2d(landmark));
-    if (!prediction) return std::nullopt;
-    return AnyPrediction{prediction->z, prediction->Hv, prediction->Hl};
-  }
-  std::optional<AnyInitialization> initialize(const Pose& pose, const SmallVector& z, double) const {
-    const auto initialized = RangeBearing::initialize(pose, Eigen::Vector2d(z));
-    return AnyInitialization{
-        {}, RangeBearing::landmark_chart, initialized.landmark, initialized.Jv, initialized.Jz, {}};
-  }
+                                                   const SmallVector& landmark) const;
+  std::optional<AnyInitialization> initialize(const Pose& pose, const SmallVector& z, double) const;
   bool in_field_of_view(const AnyPrediction& prediction, const SensorLimits& sensor_limits) const {
     return has_bearing_in_view(prediction, sensor_limits);
   }

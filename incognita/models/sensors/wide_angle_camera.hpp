@@ -32,37 +32,11 @@ struct WideAngleCamera {
     return {S(u0) + uc / root_d, S(v0) + vc / root_d};
   }
 
-  Projection project(const Eigen::Vector3d& point) const {
-    const double iz = 1 / point.z();
-    const Eigen::Vector2d c(fu * point.x() * iz, fv * point.y() * iz);
-    const double d = 1 + 2 * kd1 * c.squaredNorm(), root_d = std::sqrt(d);
-    const Eigen::Matrix2d radial =
-        (Eigen::Matrix2d::Identity() - 2 * kd1 / d * c * c.transpose()) / root_d;  // d(pixel)/d(c)
-    Eigen::Matrix<double, 2, 3> pinhole;
-    pinhole << fu * iz, 0, -c.x() * iz, 0, fv * iz, -c.y() * iz;
-    return {Eigen::Vector2d(u0 + c.x() / root_d, v0 + c.y() / root_d), radial * pinhole};
-  }
+  Projection project(const Eigen::Vector3d& point) const;
 
-  std::optional<Eigen::Vector3d> unproject(const Eigen::Vector2d& pixel) const {
-    const Eigen::Vector2d c = pixel - Eigen::Vector2d(u0, v0);
-    const double d = 1 - 2 * kd1 * c.squaredNorm();
-    if (!(d > 1e-9)) return std::nullopt;  // beyond the image of points at infinity
-    const double k = 1 / std::sqrt(d);
-    return Eigen::Vector3d(c.x() * k / fu, c.y() * k / fv, 1);
-  }
+  std::optional<Eigen::Vector3d> unproject(const Eigen::Vector2d& pixel) const;
 
-  void check() const {
-    const auto need = [](bool ok, const char* what, double value) {
-      if (!ok) throw std::invalid_argument(std::string(what) + ", got " + std::to_string(value));
-    };
-    need(width >= 16, "camera width_px must be at least 16", width);
-    need(height >= 16, "camera height_px must be at least 16", height);
-    need(std::isfinite(fu) && fu > 0, "camera fu_px must be positive", fu);
-    need(std::isfinite(fv) && fv > 0, "camera fv_px must be positive", fv);
-    need(std::isfinite(u0) && u0 > 0 && u0 < width, "camera u0_px must lie inside the image width", u0);
-    need(std::isfinite(v0) && v0 > 0 && v0 < height, "camera v0_px must lie inside the image height", v0);
-    need(std::isfinite(kd1) && kd1 >= 0, "camera kd1_per_px2 must be zero or positive", kd1);
-  }
+  void check() const;
 };
 
 static_assert(CameraModel<WideAngleCamera>);

@@ -10,6 +10,11 @@ Viewpoint viewpoint(const Estimate& e, const TrackedCamera& c) {
   return {block, e.belief.mean(block), {}};
 }
 
+MeasurementJacobian Viewpoint::jacobian(const CameraJacobian& by_camera) const {
+  if (by_body.size() == 0) return by_camera;
+  return by_camera.leftCols<6>() * by_body;
+}
+
 Viewpoint viewpoint_of(const SmallVector& state, const AnyMotion& motion, const std::optional<Mount>& mount,
                        BlockId body) {
   if (!mount) return {body, state, {}};

@@ -116,10 +116,7 @@ struct Viewpoint {
   SmallMatrix by_body;  ///< d(camera pose error, 6) / d(body error); empty: the body is the camera itself
 
   /// Jacobian by the body error, from that by the camera error.
-  MeasurementJacobian jacobian(const CameraJacobian& by_camera) const {
-    if (by_body.size() == 0) return by_camera;
-    return by_camera.leftCols<6>() * by_body;
-  }
+  MeasurementJacobian jacobian(const CameraJacobian& by_camera) const;
 };
 
 /// A camera on a body, as the image front end tracks with it.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
@@ -31,69 +33,49 @@ class AnyBelief {
   const Chart& chart(BlockId id) const { return layout().chart(id); }
   Eigen::Map<const Eigen::VectorXd> mean(BlockId id) const { return layout().mean(id); }
   int offset(BlockId id) const { return layout().offset(id); }
-  void set_mean(BlockId id, const Eigen::Ref<const Eigen::VectorXd>& mean) {
-    std::visit([&](auto& b) { b.set_mean(id, mean); }, form_);
-  }
-  void keep_trace(bool keep) {
-    std::visit([&](auto& b) { b.keep_trace(keep); }, form_);
-  }
+  void set_mean(BlockId id, const Eigen::Ref<const Eigen::VectorXd>& mean);
+  void keep_trace(bool keep);
   bool keeps_trace() const { return layout().keeps_trace(); }
   const BeliefTrace& trace() const { return layout().trace(); }
-  void clear_trace() {
-    std::visit([](auto& b) { b.clear_trace(); }, form_);
-  }
+  void clear_trace();
 
-  BlockMatrix covariance(BlockId row, BlockId column) const {
-    return std::visit([&](const auto& b) { return b.covariance(row, column); }, form_);
-  }
+  BlockMatrix covariance(BlockId row, BlockId column) const;
   BlockMatrix covariance(BlockId id) const { return covariance(id, id); }
-  Eigen::MatrixXd dense_covariance() const {
-    return std::visit([](const auto& b) { return b.dense_covariance(); }, form_);
-  }
+  Eigen::MatrixXd dense_covariance() const;
 
   BlockId add_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
-                      const Eigen::Ref<const Eigen::MatrixXd>& covariance) {
-    return std::visit([&](auto& b) { return b.add_vehicle(chart, mean, covariance); }, form_);
-  }
+                      const Eigen::Ref<const Eigen::MatrixXd>& covariance);
   BlockId augment(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
-                  std::span<const BlockParent> parents, const Eigen::Ref<const Eigen::MatrixXd>& noise) {
-    return std::visit([&](auto& b) { return b.augment(chart, mean, parents, noise); }, form_);
-  }
+                  std::span<const BlockParent> parents, const Eigen::Ref<const Eigen::MatrixXd>& noise);
   void replace(BlockId id, const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
-               const BlockMatrix& J, const BlockMatrix& noise) {
-    std::visit([&](auto& b) { b.replace(id, chart, mean, J, noise); }, form_);
-  }
-  void drop(BlockId id) {
-    std::visit([&](auto& b) { b.drop(id); }, form_);
-  }
-  void predict(const LinearizedMotion& motion) {
-    std::visit([&](auto& b) { b.predict(motion); }, form_);
-  }
-  UpdateReport update(std::span<const LinearizedMeasurement> measurements) {
-    return std::visit([&](auto& b) { return b.update(measurements); }, form_);
-  }
+               const BlockMatrix& J, const BlockMatrix& noise);
+  void drop(BlockId id);
+  void predict(const LinearizedMotion& motion);
+  UpdateReport update(std::span<const LinearizedMeasurement> measurements);
   bool correction(std::span<const LinearizedMeasurement> measurements, std::span<const BlockId> blocks,
-                  std::span<BlockVector> out) {
-    return std::visit([&](auto& b) { return b.correction(measurements, blocks, out); }, form_);
-  }
-  void innovation_covariance(std::span<const LinearizedMeasurement> measurements, Eigen::MatrixXd& S) const {
-    std::visit([&](const auto& b) { b.innovation_covariance(measurements, S); }, form_);
-  }
+                  std::span<BlockVector> out);
+  void innovation_covariance(std::span<const LinearizedMeasurement> measurements, Eigen::MatrixXd& S) const;
+
+  /// What adding noise to one block changes: a prediction with A = 1. In covariance form it is the mean and the covariance of
+  /// that block alone, so that a large map need not be copied to take the prediction back.
+  struct BeforeNoise {
+    BlockId block = 0;
+    BlockVector mean;
+    BlockMatrix covariance;
+    std::size_t trace_size = 0;
+    std::optional<InformationBelief> whole;  ///< in information form, where all else changes, too
+  };
+  BeforeNoise before_noise(BlockId block) const;
+  /// Takes such predictions of the block back, exactly, if nothing else changed the belief since before_noise().
+  void take_noise_back(BeforeNoise before);
 
   // Covariance form only: in information form these throw std::bad_variant_access.
 
-  void change_frame(const LinearizedMotion& frame_motion, std::span<const Belief::MovedBlock> others) {
-    std::get<Belief>(form_).change_frame(frame_motion, others);
-  }
-  void shear(BlockId vehicle, int first, std::span<const ErrorShear> landmarks) {
-    std::get<Belief>(form_).shear(vehicle, first, landmarks);
-  }
-  void decorrelate(Belief::Scope scope) { std::get<Belief>(form_).decorrelate(scope); }
+  void change_frame(const LinearizedMotion& frame_motion, std::span<const Belief::MovedBlock> others);
+  void shear(BlockId vehicle, int first, std::span<const ErrorShear> landmarks);
+  void decorrelate(Belief::Scope scope);
   /// True for a block-diagonal map covariance; false in information form.
-  bool drops_correlations() const {
-    const Belief* belief = std::get_if<Belief>(&form_);
-    return belief && belief->correlations() == MapCorrelations::block_diagonal;
-  }
+  bool drops_correlations() const;
 
  private:
   std::variant<Belief, InformationBelief> form_;

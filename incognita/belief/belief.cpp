@@ -171,4 +171,13 @@ void Belief::predict(const LinearizedMotion& motion) {
   note(motion);
 }
 
+void Belief::restore(BlockId id, const BlockVector& mean, const BlockMatrix& covariance,
+                     std::size_t trace_size) {
+  const Block& b = block(id);
+  const int size = b.chart.tangent();
+  P().block(b.error, b.error, size, size) = covariance;
+  set_mean(id, mean);
+  if (trace_ && trace_->size() > trace_size) trace_->resize(trace_size);
+}
+
 }  // namespace incognita

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <span>
 
 #include "incognita/belief/aligned_buffer.hpp"
@@ -69,6 +70,10 @@ class Belief : public StateLayout {
 
   /// EKF prediction (A.2.1)-(A.2.4), linear in the size of the state.
   void predict(const LinearizedMotion& motion);
+
+  /// Sets mean and covariance of a block as they were before predictions with A = 1, and shortens the trace to what it was
+  /// (`trace_size`): AnyBelief::take_noise_back().
+  void restore(BlockId id, const BlockVector& mean, const BlockMatrix& covariance, std::size_t trace_size);
 
   /// EKF update (A.2.5), (A.2.6) with all measurements at once: P <- P - W W' with W = P H' L^-T, S = L L',
   /// on one triangle. Returns `singular` when S is not positive definite within rounding, or when a posterior

@@ -1,4 +1,5 @@
 // The trace of the operations on a belief.
+#include "incognita/belief/any_belief.hpp"
 #include "tests/belief/dense.hpp"
 
 namespace incognita::testing {
@@ -68,6 +69,30 @@ TEST(Trace, IsNotCopiedWithTheBelief) {
   imagined.update({&measurement, 1});
   EXPECT_TRUE(belief.trace().empty());
   EXPECT_EQ(imagined.trace().size(), 1u);
+}
+
+TEST(AnyBelief, TakesNoiseOfABlockBack) {
+  const Eigen::Matrix2d I = Eigen::Matrix2d::Identity();
+  for (AnyBelief belief : {AnyBelief(Belief()), AnyBelief(InformationBelief())}) {
+    const BlockId vehicle = belief.add_vehicle(Chart::line(2), Eigen::Vector2d(1, 2), I);
+    const BlockId other = belief.add_vehicle(Chart::line(2), Eigen::Vector2d(3, 4), 2 * I);
+    const BlockParent parent{other, 0.3 * I};
+    const BlockId landmark = belief.augment(Chart::line(2), Eigen::Vector2d(5, 6), {&parent, 1}, 0.1 * I);
+    std::vector<LinearizedMeasurement> measurements{look_at(vehicle, 1), look_at(landmark, 2)};
+    measurements[0].add(other, Eigen::MatrixXd::Constant(1, 2, 0.7));
+    belief.update(measurements);
+    belief.keep_trace(true);
+    belief.predict({vehicle, belief.mean(vehicle), I, 0.01 * I});
+    const Eigen::MatrixXd P = belief.dense_covariance();
+    const Eigen::VectorXd mean = belief.mean(other);
+    AnyBelief::BeforeNoise before = belief.before_noise(other);
+    belief.predict({other, mean + Eigen::Vector2d(1, -1), I, 5 * I});
+    EXPECT_GT(belief.covariance(other)(0, 0), P(2, 2) + 4);
+    belief.take_noise_back(std::move(before));
+    EXPECT_EQ(belief.dense_covariance(), P);
+    EXPECT_EQ(Eigen::VectorXd(belief.mean(other)), mean);
+    EXPECT_EQ(belief.trace().size(), 1u);
+  }
 }
 
 }  // namespace

@@ -246,15 +246,15 @@ bool SlamEstimator::may_jump(const Estimate& e, const FeatureTracker& camera) co
 /// `least`.
 void SlamEstimator::search_after_jump(Estimate& e, FeatureTracker& camera, const Jump& jump, int least,
                                       StageClock& stage) {
-  AnyBelief belief_before = e.belief;
-  TrackedCamera camera_before = camera.camera();
   const std::size_t body = camera.camera().body;
+  AnyBelief::BeforeNoise belief_before = e.belief.before_noise(e.bodies[body].block);
+  TrackedCamera camera_before = camera.camera();
   add_jump(e, body, jump, e.bodies[body].t - camera.last_image_t());
   predict_features(e, camera);
   stage.mark("predict");
   search_features(e, camera, stage);
   if (camera.matched() >= least) return;
-  e.belief = std::move(belief_before);
+  e.belief.take_noise_back(std::move(belief_before));
   camera.restore(std::move(camera_before));
 }
 

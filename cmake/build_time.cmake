@@ -9,6 +9,10 @@ if(INCOGNITA_PRECOMPILED AND CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_CO
   add_compile_options(-Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
 
+# The preset `release` compiles several sources of a target as one (CMAKE_UNITY_BUILD), so that what they have in common, above
+# all templates of Eigen, is compiled once. Then names in anonymous namespaces must differ within a target; the preset `dev`
+# compiles file by file, and so does -DCMAKE_UNITY_BUILD=OFF.
+
 # incognita_precompiled_headers(NAME USES... HEADERS...): a target that others reuse the compiled headers of
 function(incognita_precompiled_headers name)
   cmake_parse_arguments(COMMON "" "" "USES;HEADERS" ${ARGN})

@@ -1,6 +1,5 @@
 #include "experiments/car_park.hpp"
 
-#include <limits>
 #include <map>
 #include <memory>
 
@@ -9,13 +8,13 @@
 #include "incognita/io/recordings/range_recording.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/math/largest_sigma.hpp"
+#include "incognita/math/unknown.hpp"
 #include "incognita/models/sensors/range_bearing.hpp"
 #include "incognita/slam/estimator/single_vehicle.hpp"
 
 namespace incognita::car_park {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double right_heading_deg = -127;  // at which the anchored filter ends
 constexpr double beacon_reach_m =
     1.5;  // of a landmark from its beacon after the fit; the nearest beacons are 2 m apart

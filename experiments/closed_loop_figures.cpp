@@ -7,13 +7,12 @@
 #include "experiments/closed_loop_statistics.hpp"
 #include "experiments/curves.hpp"
 #include "incognita/math/angles.hpp"
+#include "incognita/math/unknown.hpp"
 
 namespace incognita::closed_loop {
 namespace {
 
 constexpr Color colors[] = {Color::blue, Color::orange, Color::green, Color::pink};
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 template <class Of>
 Curve over_time(const std::string& label, const Run& run, std::size_t robot, Color color, const Of& of) {
   return curve_of(label, Style::line, color, run.instants, &Instant::t_s,

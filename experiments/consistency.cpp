@@ -133,7 +133,7 @@ Plot nees_figure(const std::vector<Result>& results) {
   return {"fig-consistency", "NEES of single drives, in order of size", 1, {panel}};
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_consistency(const ExperimentSettings& settings) {
   const int seeds = std::min(settings.seeds, 100);
   std::vector<Result> all;
   for (const PlanarFilterChoice& choice : planar_filter_choices()) {
@@ -149,6 +149,7 @@ LedgerEntry run(const ExperimentSettings& settings) {
 
 }  // namespace
 
-const Experiment consistency{"consistency", "Consistency of the planar filters", {"fig-consistency"}, run};
+const Experiment consistency{
+    "consistency", "Consistency of the planar filters", {"fig-consistency"}, run_consistency};
 
 }  // namespace incognita

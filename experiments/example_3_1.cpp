@@ -301,7 +301,7 @@ Plot eigenvalue_surfaces() {
        {"gain between (3.9) and (3.10)", {"first", "second", "second, as printed"}, second}});
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_example_3_1(const ExperimentSettings& settings) {
   return entry_of(
       example_3_1, settings,
       {one_eigenvalue_is_one(), steady_state_covariance(), steady_state_gain(), printed_matrix(),
@@ -313,6 +313,6 @@ LedgerEntry run(const ExperimentSettings& settings) {
 
 }  // namespace
 
-const Experiment example_3_1{"3.1", "A monobot without an anchor", {"fig-3.3", "fig-3.4"}, run};
+const Experiment example_3_1{"3.1", "A monobot without an anchor", {"fig-3.3", "fig-3.4"}, run_example_3_1};
 
 }  // namespace incognita

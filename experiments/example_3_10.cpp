@@ -137,7 +137,7 @@ Claim pseudo_noise_on_everything() {
                   {.printed = "steady", .measured = "by number of landmarks: " + cases.text()}, cases.hold());
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_example_3_10(const ExperimentSettings& settings) {
   return entry_of(
       example_3_10, settings,
       {stable(),
@@ -155,6 +155,7 @@ LedgerEntry run(const ExperimentSettings& settings) {
 
 }  // namespace
 
-const Experiment example_3_10{"3.10", "A monobot with an anchor, decorrelated", {"fig-3.18"}, run};
+const Experiment example_3_10{
+    "3.10", "A monobot with an anchor, decorrelated", {"fig-3.18"}, run_example_3_10};
 
 }  // namespace incognita

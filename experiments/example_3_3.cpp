@@ -192,7 +192,7 @@ Plot eigenvalue_surfaces() {
       {{"second step, (3.14) corrected", labels, second}, {"after 100 steps", labels, later}});
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_example_3_3(const ExperimentSettings& settings) {
   return entry_of(
       example_3_3, settings,
       {full_rank(), closed_form_gains(), inside_the_circle(), inside_at_every_step(), inside_in_the_limit(),
@@ -203,6 +203,6 @@ LedgerEntry run(const ExperimentSettings& settings) {
 
 }  // namespace
 
-const Experiment example_3_3{"3.3", "A monobot with an anchor", {"fig-3.7", "fig-3.8"}, run};
+const Experiment example_3_3{"3.3", "A monobot with an anchor", {"fig-3.7", "fig-3.8"}, run_example_3_3};
 
 }  // namespace incognita

@@ -20,7 +20,7 @@ constexpr int places = 100, measurements = 8;
 constexpr double dt = 0.5;  // s
 
 /// A pose, an input and points to measure, anchors or landmarks.
-struct SourceLocation {
+struct Placement {
   Vector3d pose;
   Vector2d input;
   Vector2d landmark;
@@ -34,10 +34,10 @@ Vector2d point(RandomStream& random, const Vector3d& pose) {
   }
 }
 
-std::vector<SourceLocation> random_positions() {
+std::vector<Placement> random_positions() {
   RandomStream random(1, "places");
-  std::vector<SourceLocation> all(places);
-  for (SourceLocation& p : all) {
+  std::vector<Placement> all(places);
+  for (Placement& p : all) {
     p.pose << point(random, Vector3d::Zero()), random.uniform(-pi, pi);
     p.input << random.uniform(0.5, 2), random.uniform(0.2, 1);
     p.landmark = point(random, p.pose);
@@ -69,7 +69,7 @@ constexpr double as_good_as_zero = 1e-6;
 
 std::vector<Claim> motion_jacobians() {
   Worst by_state, by_input;
-  for (const SourceLocation& p : random_positions()) {
+  for (const Placement& p : random_positions()) {
     const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]), v = p.input[0], lw = 0.3 * p.input[1];
     Matrix3d F = Matrix3d::Identity();
     F.col(2).head<2>() << -(v * s - lw * c) * dt, (v * c - lw * s) * dt;
@@ -105,7 +105,7 @@ Claim bearing() {
   Worst worst;
   double without_quarter = 0;
   int behind = 0;
-  for (const SourceLocation& p : random_positions()) {
+  for (const Placement& p : random_positions()) {
     const Vector2d d = p.landmark - p.pose.head<2>();
     const double as_printed = std::atan(d.y() / d.x()) - p.pose[2] + pi / 2;
     const Vector2d z = RangeBearing::predict_measurement(p.pose, p.landmark)->z;
@@ -131,7 +131,7 @@ Claim bearing() {
 
 Claim anchor_bearing() {
   Worst worst;
-  for (const SourceLocation& p : random_positions()) {
+  for (const Placement& p : random_positions()) {
     const double truth = RangeBearing::predict_measurement(p.pose, Vector2d::Zero())->z[1];
     const double x = p.pose.x(), y = p.pose.y();
     worst.take(std::abs(wrap_angle<double>(std::atan(y / x) - p.pose[2] + pi / 2 - truth)),
@@ -159,7 +159,7 @@ MatrixXd measurement_rows(const Vector3d& pose, const Vector2d& at, bool anchor)
 /// (3.20) and (3.22), differentiated together by pose and landmark.
 Claim measurement_jacobians() {
   Worst worst;
-  for (const SourceLocation& p : random_positions()) {
+  for (const Placement& p : random_positions()) {
     const double x = p.pose.x(), y = p.pose.y(), r2 = x * x + y * y, r = std::sqrt(r2);
     const Vector2d to = p.landmark - p.pose.head<2>();
     const double d = to.norm(), d2 = d * d;
@@ -191,7 +191,7 @@ struct View {
 };
 
 /// Jacobian of all measurements from a pose; states: pose, landmark.
-MatrixXd rows_seen(const SourceLocation& p, const Vector3d& pose, const View& view) {
+MatrixXd rows_seen(const Placement& p, const Vector3d& pose, const View& view) {
   MatrixXd H(2 * (view.anchors + 1) + (view.oriented ? 1 : 0), 5);
   for (int a = 0; a < view.anchors; ++a) H.middleRows(2 * a, 2) = measurement_rows(pose, p.anchors[a], true);
   H.middleRows(2 * view.anchors, 2) = measurement_rows(pose, p.landmark, false);
@@ -206,8 +206,7 @@ MatrixXd transition(const DifferentialDrive& drive, const Vector3d& pose, const 
 }
 
 /// [H_0; H_1 F_0; H_2 F_1 F_0; ...], each where the vehicle then is; or (3.24), all at the first pose.
-MatrixXd observability(const SourceLocation& p, const View& view, const DifferentialDrive& drive,
-                       bool frozen) {
+MatrixXd observability(const Placement& p, const View& view, const DifferentialDrive& drive, bool frozen) {
   Vector3d pose = p.pose;
   MatrixXd since_start = MatrixXd::Identity(5, 5);
   const Index rows = rows_seen(p, pose, view).rows(), count = frozen ? 5 : measurements;
@@ -236,7 +235,7 @@ struct Ranks {
 Ranks ranks(const View& view, const DifferentialDrive& drive, bool frozen) {
   Ranks all;
   bool clear = true;
-  for (const SourceLocation& p : random_positions()) {
+  for (const Placement& p : random_positions()) {
     const Rank r = rank_of(observability(p, view, drive, frozen), 1e-9);
     const VectorXd relative = r.singular_values / r.singular_values[0];
     all.least_kept = std::min(all.least_kept, relative[r.rank - 1]);
@@ -257,7 +256,7 @@ Ranks true_rank(const View& view) { return ranks(view, vehicle, false); }
 Claim printed_product() {
   Worst worst;
   const DifferentialDrive at_axle;
-  for (const SourceLocation& p : random_positions()) {
+  for (const Placement& p : random_positions()) {
     const double c = std::cos(p.pose[2]), s = std::sin(p.pose[2]), v = p.input[0], x = p.pose.x(),
                  y = p.pose.y();
     const Vector2d to = p.landmark - p.pose.head<2>();
@@ -360,7 +359,7 @@ Plot geometry() {
   return {"fig-3.9", "Vehicle with differential steering", 1, {p}};
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_example_3_4(const ExperimentSettings& settings) {
   return entry_of(
       example_3_4, settings,
       {motion_jacobians(), bearing(), anchor_bearing(), measurement_jacobians(), printed_product(),
@@ -370,6 +369,6 @@ LedgerEntry run(const ExperimentSettings& settings) {
 
 }  // namespace
 
-const Experiment example_3_4{"3.4", "A planar vehicle with range and bearing", {"fig-3.9"}, run};
+const Experiment example_3_4{"3.4", "A planar vehicle with range and bearing", {"fig-3.9"}, run_example_3_4};
 
 }  // namespace incognita

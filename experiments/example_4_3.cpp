@@ -140,7 +140,7 @@ Claim three_anchors_two_segments() {
                  anchored.all([](const Study& s) { return s.full_rank(2) && fully_observable(s); }));
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_example_4_3(const ExperimentSettings& settings) {
   return entry_of(example_4_3, settings,
                   {without_anchors(), one_anchor(), two_anchors(), three_anchors(), translating(),
                    f_null_space(), three_anchors_two_segments(), planar_cv_relative_claims()});
@@ -150,4 +150,4 @@ LedgerEntry run(const ExperimentSettings& settings) {
 }  // namespace incognita::observability_claims
 
 const incognita::Experiment incognita::example_4_3{
-    "4.3", "Bearings at constant velocity on a plane", {}, observability_claims::run};
+    "4.3", "Bearings at constant velocity on a plane", {}, observability_claims::run_example_4_3};

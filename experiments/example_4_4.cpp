@@ -83,7 +83,7 @@ Basis our_vectors(const Course& course) {
   return all;
 }
 
-std::vector<Claim> one_segment() {
+std::vector<Claim> one_segment_in_space() {
   const Study &one = world(1), &two = world(2);
   const auto inside = [](bool feature_in_axes_of_world) {
     return each_of({0, 1, 2}, [&](int n) { return printed_inside(world(n), feature_in_axes_of_world); });
@@ -185,12 +185,12 @@ Claim error_form() {
       of_r < rounding, of_p < rounding);
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
-  return entry_of(example_4_4, settings, {error_form(), one_segment(), rows(), two_segments()});
+LedgerEntry run_example_4_4(const ExperimentSettings& settings) {
+  return entry_of(example_4_4, settings, {error_form(), one_segment_in_space(), rows(), two_segments()});
 }
 
 }  // namespace
 }  // namespace incognita::observability_claims
 
 const incognita::Experiment incognita::example_4_4{
-    "4.4", "Bearings at constant velocity in space", {}, observability_claims::run};
+    "4.4", "Bearings at constant velocity in space", {}, observability_claims::run_example_4_4};

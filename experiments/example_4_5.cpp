@@ -201,7 +201,7 @@ Claim recursion() {
                  worst, rounding);
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_example_4_5(const ExperimentSettings& settings) {
   return entry_of(example_4_5, settings, {recursion(), model(), first_order(), left_by_lie(), contrary()});
 }
 
@@ -209,4 +209,4 @@ LedgerEntry run(const ExperimentSettings& settings) {
 }  // namespace incognita::observability_claims
 
 const incognita::Experiment incognita::example_4_5{
-    "4.5", "Lie derivatives for the relative map of the plane", {}, observability_claims::run};
+    "4.5", "Lie derivatives for the relative map of the plane", {}, observability_claims::run_example_4_5};

@@ -70,7 +70,7 @@ Claim three_eigenvalues(const Runs& runs) {
           at_rest[1] < 1 && at_rest[2] < 1);
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_example_5_1(const ExperimentSettings& settings) {
   const Runs runs = runs_of(settings, "5.1, to the goal", setup());
   const Run& first = runs.front();
   return entry_of(
@@ -86,6 +86,6 @@ LedgerEntry run(const ExperimentSettings& settings) {
 }  // namespace
 
 const Experiment example_5_1{
-    "5.1", "LQG regulation to a point while mapping", {"fig-5.3", "fig-5.4", "fig-5.5"}, run};
+    "5.1", "LQG regulation to a point while mapping", {"fig-5.3", "fig-5.4", "fig-5.5"}, run_example_5_1};
 
 }  // namespace incognita

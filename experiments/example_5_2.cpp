@@ -160,7 +160,7 @@ Claim guaranteed(const ExperimentSettings& settings) {
                   quantile(worst, 1) < 3 && is_below(grown, 0.1));
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_example_5_2(const ExperimentSettings& settings) {
   const Runs away = runs_of(settings, "5.2, facing away", facing_away),
              on = runs_of(settings, "5.2, from the path's start", on_path);
   const Run& first = away.front();
@@ -177,7 +177,9 @@ LedgerEntry run(const ExperimentSettings& settings) {
 
 }  // namespace
 
-const Experiment example_5_2{
-    "5.2", "Feedback linearization around a circle while mapping", {"fig-5.6", "fig-5.7", "fig-5.8"}, run};
+const Experiment example_5_2{"5.2",
+                             "Feedback linearization around a circle while mapping",
+                             {"fig-5.6", "fig-5.7", "fig-5.8"},
+                             run_example_5_2};
 
 }  // namespace incognita

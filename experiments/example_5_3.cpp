@@ -96,7 +96,7 @@ Claim any_number(const ExperimentSettings& settings) {
                   all_follow.hold());
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_example_5_3(const ExperimentSettings& settings) {
   const Runs runs = runs_of(settings, "5.3, two circles", two_circles());
   const Run& first = runs.front();
   return entry_of(example_5_3, settings,
@@ -109,7 +109,9 @@ LedgerEntry run(const ExperimentSettings& settings) {
 
 }  // namespace
 
-const Experiment example_5_3{
-    "5.3", "Two robots around circles while mapping together", {"fig-5.9", "fig-5.10", "fig-5.11"}, run};
+const Experiment example_5_3{"5.3",
+                             "Two robots around circles while mapping together",
+                             {"fig-5.9", "fig-5.10", "fig-5.11"},
+                             run_example_5_3};
 
 }  // namespace incognita

@@ -23,7 +23,7 @@ namespace {
 
 namespace camera = swinging_camera;
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_example_5_4(const ExperimentSettings& settings) {
   const auto report = [&](const char* what) {
     if (settings.report) settings.report(what);
   };
@@ -45,6 +45,6 @@ const Experiment example_5_4{
     "5.4",
     "A single camera steered in space while it maps",
     {"fig-5.12", "fig-5.13", "fig-5.13-laws", "fig-5.14", "fig-5.14-anchors", "fig-5.14-paths"},
-    run};
+    run_example_5_4};
 
 }  // namespace incognita

@@ -13,6 +13,8 @@
 
 namespace incognita::swinging_camera {
 
+inline const BackAndForthPath circle;  ///< of (5.28)
+
 struct Summary {
   bool lost = false;
   double rms_error_m = 0;  ///< of the estimated position

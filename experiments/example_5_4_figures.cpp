@@ -12,7 +12,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double pi = std::numbers::pi;
-const BackAndForthPath circle;
 
 /// f over the instants of a course.
 template <class F>

@@ -10,8 +10,6 @@ namespace {
 
 using Runs = std::vector<Summary>;
 
-const BackAndForthPath circle;
-
 /// A position and a heading at each time.
 Path sampled(const std::function<std::pair<Vector3d, double>(double)>& pose) {
   PathSamples samples;

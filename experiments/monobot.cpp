@@ -117,9 +117,9 @@ class Filter {
 };
 
 /// What chance does to one run: each source has its own stream, so that runs with other setups can be paired.
-class World {
+class MonobotWorld {
  public:
-  World(const Setup& setup, std::uint64_t seed)
+  MonobotWorld(const Setup& setup, std::uint64_t seed)
       : setup_(setup), truth_(VectorXd::Constant(states(setup), landmark_m)), first_(named(seed, "first")) {
     truth_[0] = robot_start_m;
     motion_ = named(seed, "motion");
@@ -291,7 +291,7 @@ std::vector<MatrixXd> actual_covariances(const Setup& setup, const Course& cours
 }
 
 Run simulate(const Setup& setup, std::uint64_t seed) {
-  World world(setup, seed);
+  MonobotWorld world(setup, seed);
   Filter filter(setup, world.first_estimate());
   const MatrixXd empty = MatrixXd::Zero(states(setup), setup.steps + 1);
   Run run{empty, empty, empty, MatrixXd::Zero(filter.expected().size(), setup.steps + 1),

@@ -272,7 +272,7 @@ Claim once_correlated() {
       of_map < 0.01 && lost_by_own < 0.01, of_map < 0.01 && lost_by_own_given_map < 0.01);
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_section_6_1(const ExperimentSettings& settings) {
   const Plane plane;
   return entry_of(section_6_1, settings,
                   {identities(plane), where_it_is_best(plane), fisher(), once_correlated()}, {figure(plane)});
@@ -280,6 +280,6 @@ LedgerEntry run(const ExperimentSettings& settings) {
 
 }  // namespace
 
-const Experiment section_6_1{"6.1", "What metrics of information say", {"fig-6.2"}, run};
+const Experiment section_6_1{"6.1", "What metrics of information say", {"fig-6.2"}, run_section_6_1};
 
 }  // namespace incognita

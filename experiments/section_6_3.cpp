@@ -51,7 +51,7 @@ std::vector<Claim> beyond_the_thesis(const Runs& active, const std::vector<Runs>
                 "one action a frame", active, variant[3])};
 }
 
-LedgerEntry run(const ExperimentSettings& all_seeds) {
+LedgerEntry run_section_6_3(const ExperimentSettings& all_seeds) {
   const ExperimentSettings settings = half_of(all_seeds);  // eleven strategies each
   const auto runs = [&](const std::vector<Strategy>& all) {
     return runs_of_all("free-camera", all, settings);
@@ -80,6 +80,6 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
 }  // namespace
 
 const Experiment section_6_3{
-    "6.3", "A camera that explores a room of points", {"fig-6.4", "fig-6.5"}, run, true};
+    "6.3", "A camera that explores a room of points", {"fig-6.4", "fig-6.5"}, run_section_6_3, true};
 
 }  // namespace incognita

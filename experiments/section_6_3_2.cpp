@@ -89,7 +89,7 @@ Claim counting(const Runs& variant, const Runs& printed) {
                "counting all", variant, printed);
 }
 
-LedgerEntry run(const ExperimentSettings& all_seeds) {
+LedgerEntry run_section_6_3_2(const ExperimentSettings& all_seeds) {
   const ExperimentSettings settings = half_of(all_seeds);  // ten ways
   const auto runs = [&](const std::string& scenario, const std::vector<Strategy>& all) {
     return runs_of_all(scenario, with(thesis_features("0.4"), all), settings, fresh_rooms);
@@ -121,6 +121,6 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
 }  // namespace
 
 const Experiment section_6_3_2{
-    "6.3.2", "A camera that explores by images, free and hand-held", {"fig-6.7"}, run, true};
+    "6.3.2", "A camera that explores by images, free and hand-held", {"fig-6.7"}, run_section_6_3_2, true};
 
 }  // namespace incognita

@@ -54,7 +54,7 @@ Claim one_cycle(const Runs& runs) {
       is_above(found, 0.9));
 }
 
-LedgerEntry run(const ExperimentSettings& all_seeds) {
+LedgerEntry run_section_6_4(const ExperimentSettings& all_seeds) {
   const ExperimentSettings settings = half_of(all_seeds);
   const std::vector<Runs> runs = runs_of_all("terrain", driving(), settings);
   const Runs from_the_middle =
@@ -77,6 +77,6 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
 }  // namespace
 
 const Experiment section_6_4{
-    "6.4", "A vehicle that explores over uneven ground", {"fig-6.9", "fig-6.10"}, run, true};
+    "6.4", "A vehicle that explores over uneven ground", {"fig-6.9", "fig-6.10"}, run_section_6_4, true};
 
 }  // namespace incognita

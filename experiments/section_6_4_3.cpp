@@ -34,7 +34,7 @@ Plot vehicle_figure(const Run& run) {
            choices("Chosen every second", run)}};
 }
 
-LedgerEntry run(const ExperimentSettings& all_seeds) {
+LedgerEntry run_section_6_4_3(const ExperimentSettings& all_seeds) {
   const ExperimentSettings settings = half_of(all_seeds);  // five ways
   // On ground that rolls the vehicle to both sides, 0.4 px makes the filter overconfident (NEES 2 to 9)
   const auto runs_with = [&](const std::vector<Strategy>& strategies) {
@@ -61,6 +61,6 @@ LedgerEntry run(const ExperimentSettings& all_seeds) {
 }  // namespace
 
 const Experiment section_6_4_3{
-    "6.4.3", "A vehicle that explores by images over uneven ground", {"fig-6.13"}, run, true};
+    "6.4.3", "A vehicle that explores by images over uneven ground", {"fig-6.13"}, run_section_6_4_3, true};
 
 }  // namespace incognita

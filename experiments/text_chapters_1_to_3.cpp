@@ -49,7 +49,7 @@ Plot riccati_limits() {
           {over_number, over_start}};
 }
 
-LedgerEntry run(const ExperimentSettings& settings) {
+LedgerEntry run_text_chapters_1_to_3(const ExperimentSettings& settings) {
   return entry_of(text_chapters_1_to_3, settings,
                   {chapter_2_claims(settings.seeds), chapter_3_stability_claims(),
                    chapter_3_landmark_claims(settings.seeds)},
@@ -59,6 +59,6 @@ LedgerEntry run(const ExperimentSettings& settings) {
 }  // namespace
 
 const Experiment text_chapters_1_to_3{
-    "text-1-3", "Claims in the text of Chapters 1 to 3", {"fig-riccati"}, run};
+    "text-1-3", "Claims in the text of Chapters 1 to 3", {"fig-riccati"}, run_text_chapters_1_to_3};
 
 }  // namespace incognita

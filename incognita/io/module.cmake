@@ -22,6 +22,7 @@ function(incognita_embed folder function)
     DEPENDS ${paths} ${CMAKE_CURRENT_SOURCE_DIR}/io/embed.cmake
     COMMENT "Building in ${function}"
     VERBATIM)
+  set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # large, with names of their own
   set(embedded_sources ${embedded_sources} ${source} PARENT_SCOPE)
 endfunction()
 

@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "incognita/math/angles.hpp"
 #include "incognita/math/quaternion.hpp"
+#include "incognita/math/unknown.hpp"
 #include "incognita/record/files/number.hpp"
 #include "incognita/record/snapshot/pose_rows.hpp"
 #include "incognita/record/snapshot/series.hpp"
@@ -15,8 +15,6 @@
 
 namespace incognita {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::string vehicles_header(const RunInfo& info) {
   std::string header = "t,vehicle,state";

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "incognita/math/unknown.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/files/mat_file.hpp"
 #include "incognita/record/files/number.hpp"
@@ -20,8 +20,6 @@ namespace {
 constexpr const char* cut_short = "the program ended before the run did";
 constexpr const char* matches_header =
     "t,body,sensor,id,kind,predicted_1,predicted_2,sigma_1,sigma_2,measured_1,measured_2,correlation,outcome";
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 /// Bodies and sensors are counted from 1 in files.
 std::string match_row(double t, const SnapshotMatch& match) {
   std::string row;

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
+#include "incognita/math/unknown.hpp"
+
 namespace incognita {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::string> names_of(const Campaign& campaign, Measures RunMeasures::*which) {
   std::vector<std::string> names;

@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "incognita/math/unknown.hpp"
 #include "incognita/record/files/number.hpp"
 
 namespace incognita {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The word as the first cell of a row.
 std::string first_cell(const std::string& word) {

@@ -78,23 +78,23 @@ std::string label_of(const std::string& input) {
   return label;
 }
 
-struct Panel {
+struct InputPanel {
   std::string label;
   std::vector<std::string> lines;
 };
 
 /// One panel per input with the first `most_named` vehicles; for a body in space only the accelerations of the
 /// first, three per panel.
-std::vector<Panel> input_panels(const CsvTable& table, std::size_t vehicles) {
+std::vector<InputPanel> input_panels(const CsvTable& table, std::size_t vehicles) {
   std::vector<std::string> inputs;
   std::copy_if(table.columns.begin(), table.columns.end(), std::back_inserter(inputs),
                [&](const std::string& column) {
                  return column.starts_with("input_") && knows(table, column.c_str());
                });
-  std::vector<Panel> panels;
+  std::vector<InputPanel> panels;
   if (inputs.size() == 6) {
     for (const std::size_t first : {0u, 3u}) {
-      Panel& panel = panels.emplace_back(first == 0 ? "acceleration, m/s²" : "angular, rad/s²");
+      InputPanel& panel = panels.emplace_back(first == 0 ? "acceleration, m/s²" : "angular, rad/s²");
       for (std::size_t axis = 0; axis < 3; ++axis)
         panel.lines.push_back(line(0, vehicles, "t", inputs[first + axis], of_vehicle(axis),
                                    fmt::format("{} {}", first == 0 ? "along" : "about", "xyz"[axis])));
@@ -102,26 +102,26 @@ std::vector<Panel> input_panels(const CsvTable& table, std::size_t vehicles) {
     return panels;
   }
   for (const std::string& input : inputs) {
-    Panel& panel = panels.emplace_back(label_of(input));
+    InputPanel& panel = panels.emplace_back(label_of(input));
     for (std::size_t i = 0; i < std::min(vehicles, most_named); ++i)
       panel.lines.push_back(line(i, vehicles, "t", input, of_vehicle(i), ""));
   }
   return panels;
 }
 
-struct Map {
+struct MapBlocks {
   std::string blocks;  ///< data blocks $landmarks and $anchors
   bool landmarks = false, anchors = false;
 };
 
 /// x, y and the 2-sigma ellipse (diameters, orientation in degrees) of a 2x2 covariance in closed form.
-Map map_blocks(const fs::path& run_directory) {
+MapBlocks map_blocks(const fs::path& run_directory) {
   const CsvTable table = read_csv(run_directory / "map.csv");
   const auto x = table.numbers("x"), y = table.numbers("y"), pxx = table.numbers("pxx"),
              pxy = table.numbers("pxy"), pyy = table.numbers("pyy");
   const std::size_t kind = *table.find("kind");
   std::string landmarks = "$landmarks << EOD\nx,y,long,short,turn\n", anchors = "$anchors << EOD\nx,y\n";
-  Map map;
+  MapBlocks map;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (table.rows[i][kind] == "anchor") {
       anchors += fmt::format("{},{}\n", x[i], y[i]);
@@ -159,7 +159,7 @@ std::optional<std::string> vehicles_script(const fs::path& run_directory, Alignm
     plots.push_back(line(i, vehicles, "x_m", "y_m", of_vehicle(i),
                          named ? fmt::format("vehicle {}, estimated", i + 1) : ""));
   }
-  const Map map = map_blocks(run_directory);
+  const MapBlocks map = map_blocks(run_directory);
   if (map.anchors)
     plots.insert(
         plots.begin(),
@@ -183,13 +183,13 @@ std::optional<std::string> control_script(const fs::path& run_directory, Alignme
   const auto table = vehicles_of(run_directory);
   if (!table || !knows(*table, "reference_x_m")) return std::nullopt;
   const std::size_t vehicles = count_of(*table);
-  std::vector<Panel> panels{{"distance to path, m", {}}};
+  std::vector<InputPanel> panels{{"distance to path, m", {}}};
   const bool known = knows(*table, "from_path_m");
   for (std::size_t i = 0; known && i < std::min(vehicles, most_named); ++i)
     panels.front().lines.push_back(
         line(i, vehicles, "t", "from_path_m", of_vehicle(i), fmt::format("vehicle {}", i + 1)));
   if (!known) panels.clear();
-  for (Panel& panel : input_panels(*table, vehicles)) panels.push_back(std::move(panel));
+  for (InputPanel& panel : input_panels(*table, vehicles)) panels.push_back(std::move(panel));
   if (panels.empty()) return std::nullopt;
   std::string script = figure_head("control", 900, 120 + 190 * static_cast<int>(panels.size()));
   script += fmt::format(

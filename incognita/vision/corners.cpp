@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "incognita/vision/as_matrix.hpp"
+
 namespace incognita {
 namespace {
 
 /// OpenCV sums over the window with a Sobel gradient (8 times the unit gradient) divided by 4 * window * 255
 constexpr double gray_per_opencv = 255.0 * 255.0 / 4.0;
-
-cv::Mat as_matrix(const Image& image) {
-  return {image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0))};
-}
 
 }  // namespace
 

@@ -9,6 +9,9 @@
 
 namespace incognita {
 
+/// Corners nearer to each other than this are one corner: patches are wider, so that new landmarks begin farther apart.
+inline constexpr double same_corner_px = 3;
+
 struct PixelBox {
   int u = 0, v = 0;  ///< first column and row
   int width = 0, height = 0;

@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "incognita/vision/as_matrix.hpp"
+
 namespace incognita {
-namespace {
-
-cv::Mat as_matrix(const Image& image) {
-  return {image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0))};
-}
-
-}  // namespace
 
 void halve(const Image& image, Image& half) {
   const int width = (image.width() + 1) / 2, height = (image.height() + 1) / 2;

@@ -69,7 +69,7 @@ std::vector<int> condition(const ObservabilityAnalysis& a) {
   return all;
 }
 
-class ThesisSystem : public testing::TestWithParam<const char*> {};
+class ThesisSystem : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ThesisSystem, HasTheRanksOfAnIndependentProgram) {
   const std::vector<Ranks> cases = read_ranks()[GetParam()];
@@ -96,10 +96,10 @@ TEST_P(ThesisSystem, HasTheRanksOfAnIndependentProgram) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ThesisSystem,
-                         testing::Values("planar", "planar-rb", "planar-cv", "monobot", "inertial",
-                                         "inertial-rb", "cv6"));
+                         ::testing::Values("planar", "planar-rb", "planar-cv", "monobot", "inertial",
+                                           "inertial-rb", "cv6"));
 
-class BuiltIn : public testing::TestWithParam<std::string> {};
+class BuiltIn : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(BuiltIn, RanksDoNotDependOnTheOperatingPoint) {
   const SystemText text = load_system(GetParam());
@@ -150,7 +150,7 @@ TEST_P(BuiltIn, JacobiansAreDerivativesOfTheEquations) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BuiltIn, testing::ValuesIn(built_in_systems()), [](const auto& one) {
+INSTANTIATE_TEST_SUITE_P(All, BuiltIn, ::testing::ValuesIn(built_in_systems()), [](const auto& one) {
   std::string name = one.param;
   for (char& c : name)
     if (c == '-') c = '_';
@@ -174,7 +174,7 @@ Eigen::MatrixXd misalignment(const SystemInstance& instance, const SystemPoint& 
   return T;
 }
 
-class ErrorForm : public testing::TestWithParam<const char*> {};
+class ErrorForm : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ErrorForm, IsTheSameSystemInOtherCoordinates) {
   const SymbolicSystem system = make_symbolic(load_system(GetParam()));
@@ -198,8 +198,8 @@ TEST_P(ErrorForm, IsTheSameSystemInOtherCoordinates) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ErrorForm,
-                         testing::Values("inertial", "inertial-relative", "inertial-rb",
-                                         "inertial-rb-relative", "cv6"));
+                         ::testing::Values("inertial", "inertial-relative", "inertial-rb",
+                                           "inertial-rb-relative", "cv6"));
 
 }  // namespace
 }  // namespace incognita

@@ -164,7 +164,7 @@ TEST(Combinations, ObservabilityReportOfATeam) {
   EXPECT_GE(free.information.errors, 9 + 2 * 10);
   for (const QuantityReport& q : free.quantities) EXPECT_FALSE(q.ideally_observable) << q.name;
   for (const QuantityReport& q : free.quantities)
-    if (q.unit == "m") EXPECT_FALSE(q.gained) << q.name << " by measurements of relative positions";
+    EXPECT_FALSE(q.unit == "m" && q.gained) << q.name << " by measurements of relative positions";
 
   const ObservabilityReport fixed = report_of_three({"points.known=2"});
   EXPECT_EQ(fixed.anchors, 2);

@@ -18,7 +18,7 @@ using testing::Scratch;
 using testing::Stream;
 using testing::Words;
 
-Words room_for(const std::string& seconds, const std::string& out) {
+Words room_lasting(const std::string& seconds, const std::string& out) {
   return {"run", "room", "--duration", seconds, "--out", out, "--no-figures"};
 }
 
@@ -26,7 +26,7 @@ TEST(ProgramDisk, AnUnwritableFolderLeavesNothing) {
   const Scratch scratch;
   scratch.write("file", "mine");
   for (const char* out : {"file", "file/run", "/proc/run", "/dev/null"}) {
-    const Ended ended = testing::incognita(room_for("0.1", out), scratch.folder());
+    const Ended ended = testing::incognita(room_lasting("0.1", out), scratch.folder());
     EXPECT_EQ(ended.code, 1) << out;
     EXPECT_SAYS(ended.err, "cannot write ");
     EXPECT_SAYS(ended.err, out);
@@ -39,7 +39,7 @@ TEST(ProgramDisk, AnUnwritableFolderLeavesNothing) {
 TEST(ProgramDisk, ADiskTooSmallToStartLeavesNothing) {
   const Scratch scratch;
   const Circumstances tight{scratch.folder(), Stream::kept, Stream::kept, 4096};
-  const Ended ended = testing::incognita(room_for("1", "new/run"), tight);
+  const Ended ended = testing::incognita(room_lasting("1", "new/run"), tight);
   EXPECT_EQ(ended.code, 1);
   EXPECT_SAYS(ended.err, "summary.json: File too large");
   EXPECT_SAYS(ended.err, "ulimit -f");
@@ -66,7 +66,7 @@ void expect_cut_short(const Ended& ended, const std::filesystem::path& run, cons
 TEST(ProgramDisk, AFileSizeLimitEndsTheRun) {
   const Scratch scratch;
   const Circumstances tight{scratch.folder(), Stream::kept, Stream::kept, 100'000};
-  const Ended ended = testing::incognita(room_for("100", "run"), tight);
+  const Ended ended = testing::incognita(room_lasting("100", "run"), tight);
   expect_cut_short(ended, scratch.folder() / "run", "File too large", "ulimit -f");
 }
 
@@ -96,7 +96,7 @@ TEST(ProgramDisk, AFullDiskEndsTheRun) {
   const Scratch scratch;
   const SmallDisk disk(scratch.folder() / "disk");
   if (!disk.refused().empty()) GTEST_SKIP() << "no disk can be mounted here: " << disk.refused();
-  const Ended ended = testing::incognita(room_for("100", "disk/run"), scratch.folder());
+  const Ended ended = testing::incognita(room_lasting("100", "disk/run"), scratch.folder());
   expect_cut_short(ended, scratch.folder() / "disk/run", "No space left on device", "free some space");
 }
 
@@ -105,7 +105,7 @@ TEST(ProgramDisk, ADiskFullBeforeTheStartLeavesNothing) {
   const SmallDisk disk(scratch.folder() / "disk");
   if (!disk.refused().empty()) GTEST_SKIP() << "no disk can be mounted here: " << disk.refused();
   scratch.write("disk/filler", std::string(248'000, 'x'));
-  const Ended ended = testing::incognita(room_for("1", "disk/run"), scratch.folder());
+  const Ended ended = testing::incognita(room_lasting("1", "disk/run"), scratch.folder());
   EXPECT_EQ(ended.code, 1);
   EXPECT_SAYS(ended.err, "No space left on device; free some space");
   EXPECT_EQ(testing::everything_in(scratch.folder() / "disk"), std::set<std::string>{"filler"});
@@ -115,7 +115,7 @@ TEST(ProgramDisk, PicturesOnAFullDiskEndTheRun) {
   const Scratch scratch;
   const SmallDisk disk(scratch.folder() / "disk");
   if (!disk.refused().empty()) GTEST_SKIP() << "no disk can be mounted here: " << disk.refused();
-  Words words = room_for("100", "disk/run");
+  Words words = room_lasting("100", "disk/run");
   words.push_back("--save-frames");
   const Ended ended = testing::incognita(words, scratch.folder());
   EXPECT_EQ(ended.code, 1);

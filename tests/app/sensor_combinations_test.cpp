@@ -23,7 +23,7 @@ namespace incognita {
 namespace {
 
 constexpr double rate_hz = 30;
-constexpr int seeds = 8;
+constexpr int room_seeds = 8;
 
 /// The room with all errors of a match taken for white: invariant errors are derived for one camera. One room for all seeds, since
 /// painting its textures takes longest.
@@ -143,7 +143,7 @@ Ran fly(int cameras, std::uint64_t seed) {
 
 TEST(SensorCombinations, TwoCamerasOnOneBody) {
   std::vector<Ran> two;
-  for (int seed = 1; seed <= seeds; ++seed) {
+  for (int seed = 1; seed <= room_seeds; ++seed) {
     two.push_back(fly(2, static_cast<std::uint64_t>(seed)));
     EXPECT_GT(two.back().matches[0], 200) << "seed " << seed;
     EXPECT_GT(two.back().matches[1], 200) << "seed " << seed;
@@ -244,7 +244,7 @@ TEST(SensorCombinations, ABodyWithAScannerDoesNotWaitForItsCamera) {
 
 TEST(SensorCombinations, ACameraAndAScannerOnOneBody) {
   std::vector<Ran> both;
-  for (int seed = 1; seed <= seeds; ++seed) {
+  for (int seed = 1; seed <= room_seeds; ++seed) {
     both.push_back(drive(true, true, static_cast<std::uint64_t>(seed)));
     EXPECT_GT(both.back().matches[0], 300) << "seed " << seed;
     EXPECT_GT(both.back().scanned, 150) << "seed " << seed;

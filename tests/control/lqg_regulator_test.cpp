@@ -65,7 +65,7 @@ TEST(Regulate, RefusesWithReasons) {
   EXPECT_TRUE(stuck.u.isZero());
 }
 
-Pose drive(const DifferentialDrive& body, Pose pose, const Vector2d& input, double hold_s) {
+Pose hold(const DifferentialDrive& body, Pose pose, const Vector2d& input, double hold_s) {
   for (int i = 0; i < 100; ++i) pose = body.f<double>(pose, input, hold_s / 100);
   return pose;
 }
@@ -84,7 +84,7 @@ TEST(PlanarRegulator, DrivesFromStartToGoal) {  // Example 5.1: from (-7, 0) to 
       was_saturated = was_saturated || step.command.saturated;
       EXPECT_LE(std::abs(step.command.speed_m_s), settings.limits.max_speed_m_s);
       EXPECT_LE(std::abs(step.command.turn_rate_rad_s), settings.limits.max_turn_rate_rad_s);
-      pose = drive(settings.body, pose, step.command.input(), settings.period_s);
+      pose = hold(settings.body, pose, step.command.input(), settings.period_s);
       last = (pose.head<2>() - goal).norm();
     }
     EXPECT_TRUE(was_saturated);

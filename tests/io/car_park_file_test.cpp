@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/io/mat_writer.hpp"
+#include "tests/io/notes.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -21,13 +22,7 @@ using testing::Scratch;
 using testing::small_car_park;
 using testing::write_mat;
 
-constexpr double pi = std::numbers::pi;
-
-std::string all_notes(const RangeRecording& recording) {
-  std::string all;
-  for (const std::string& note : recording.notes) all += note + "\n";
-  return all;
-}
+using std::numbers::pi;
 
 RangeRecording read_park(const MatVariables& park, matio_compression compression = MAT_COMPRESSION_NONE) {
   const Scratch scratch;

@@ -14,7 +14,7 @@ const std::string points =
     "model = \"free-camera\"\n[controller]\nlaw = \"active\"\n";
 const std::string room = "[start]\nfrom = \"free\"\n";
 
-std::string complaint(const std::string& text) {
+std::string refusal(const std::string& text) {
   const testing::Scratch scratch;
   const std::string file = scratch.write("mine.toml", text).string();
   return testing::message_of([&] { load_scenario(file); });
@@ -44,31 +44,31 @@ TEST(DecisionChecks, RefuseInapplicableSettings) {
        "landmarks are not expected outside"},
   };
   for (const Case& one : everywhere) {
-    EXPECT_HAS(complaint(points + one.text + "\n"), one.part);
-    EXPECT_HAS(complaint(room + one.text + "\n"), one.part);
+    EXPECT_HAS(refusal(points + one.text + "\n"), one.part);
+    EXPECT_HAS(refusal(room + one.text + "\n"), one.part);
   }
-  EXPECT_HAS(complaint(points + "[exploration]\ncounted = \"as-mapped\"\nexpected_landmarks = 5\n"),
+  EXPECT_HAS(refusal(points + "[exploration]\ncounted = \"as-mapped\"\nexpected_landmarks = 5\n"),
              "`exploration.counted` belongs to `world.type = \"room\"");
 }
 
 /// In the point-landmark world the gaze is held by default, as the effective scenario shows.
 TEST(DecisionChecks, TheGazeOfAnyFreeCameraMaySwing) {
   const std::string swing = points + "[decision]\ngaze = \"swing\"\n";
-  EXPECT_EQ(complaint(swing), "(none)");
-  EXPECT_EQ(complaint(room + "[decision]\ngaze = \"swing\"\n"), "(none)");
+  EXPECT_EQ(refusal(swing), "(none)");
+  EXPECT_EQ(refusal(room + "[decision]\ngaze = \"swing\"\n"), "(none)");
   const testing::Scratch scratch;
   EXPECT_HAS(effective_toml(load_scenario(scratch.write("points.toml", points).string())), "gaze = \"hold\"");
   EXPECT_HAS(effective_toml(load_scenario(scratch.write("room.toml", room).string())), "gaze = \"swing\"");
 }
 
 TEST(DecisionChecks, AnOperatorNeedsTheFrameOfTheRoom) {
-  EXPECT_HAS(complaint(room + "[operator]\nholds = true\n"),
+  EXPECT_HAS(refusal(room + "[operator]\nholds = true\n"),
              "operator.holds = true: must be false with start.from");
 }
 
 TEST(DecisionChecks, AcceptTheRest) {
-  EXPECT_EQ(complaint(room + "[decision]\ndisplacements_m = [[0.3, 0, 0], [0, 0, 0]]\n"), "(none)");
-  EXPECT_EQ(complaint(points + "[decision]\nhorizon = 3\n"), "(none)");
+  EXPECT_EQ(refusal(room + "[decision]\ndisplacements_m = [[0.3, 0, 0], [0, 0, 0]]\n"), "(none)");
+  EXPECT_EQ(refusal(points + "[decision]\nhorizon = 3\n"), "(none)");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "tests/io/notes.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -13,12 +14,6 @@ namespace {
 
 using testing::message_of;
 using testing::Scratch;
-
-std::string all_notes(const RangeRecording& recording) {
-  std::string all;
-  for (const std::string& note : recording.notes) all += note + "\n";
-  return all;
-}
 
 /// A folder of MRCLAM files of robot 2, valid except for what a test changes.
 struct Mrclam {

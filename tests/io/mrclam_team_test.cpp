@@ -6,6 +6,7 @@
 #include <string>
 
 #include "incognita/io/recordings/range_formats.hpp"
+#include "tests/io/notes.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -46,12 +47,6 @@ struct Team {
     return message_of([&] { read(); });
   }
 };
-
-std::string all_notes(const RangeRecording& recording) {
-  std::string all;
-  for (const std::string& note : recording.notes) all += note + "\n";
-  return all;
-}
 
 /// Robot 4 has index 2 in the team.
 TEST(MrclamTeam, HasEveryRobotWithOdometryInTheOrderOfNumbers) {

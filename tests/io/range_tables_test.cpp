@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/io/notes.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -16,13 +17,7 @@ using testing::contents;
 using testing::message_of;
 using testing::Scratch;
 
-constexpr double pi = std::numbers::pi;
-
-std::string all_notes(const RangeRecording& recording) {
-  std::string all;
-  for (const std::string& note : recording.notes) all += note + "\n";
-  return all;
-}
+using std::numbers::pi;
 
 const std::string drive = "t_s,speed_m_s,turn_rate_rad_s\n";
 const std::string drive_rows = "0,0.5,0\n0.1,0.5,0.2\n0.2,0.4,0.2\n";

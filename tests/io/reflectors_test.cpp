@@ -11,7 +11,7 @@
 namespace incognita {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct HandMadeScan {
   std::vector<double> ranges_m = std::vector<double>(361, 81.91);

@@ -14,7 +14,7 @@ using ::testing::Test;
 
 std::string refusal(std::string_view host, std::string_view origin, std::string_view token = "",
                     const AccessRules& rules = {}) {
-  return refusal_of({host, origin, token}, rules);
+  return refusal_of({host, origin, token, {}}, rules);
 }
 
 TEST(Access, ThisMachineNeedsNoToken) {

@@ -11,7 +11,7 @@
 namespace incognita {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(WrapAngle, KeepsPiAndTurnsMinusPiIntoPi) {
   EXPECT_EQ(wrap_angle(pi), pi);

@@ -9,6 +9,7 @@
 
 #include "incognita/math/quaternion.hpp"
 #include "incognita/math/random.hpp"
+#include "tests/math/random_direction.hpp"
 
 namespace incognita {
 namespace {
@@ -17,7 +18,7 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::span<double> numbers_of(VectorXd& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 std::span<const double> numbers_of(const VectorXd& v) {
@@ -38,10 +39,6 @@ VectorXd minus(const Chart& chart, const VectorXd& y, const VectorXd& x) {
 /// One part of each kind, an angle between two others.
 const Chart everything{
     {Chart::Kind::line, 2}, {Chart::Kind::angle, 1}, {Chart::Kind::quaternion, 4}, {Chart::Kind::line, 1}};
-
-Vector3d random_direction(RandomStream& random) {
-  return Vector3d(random.normal(), random.normal(), random.normal()).normalized();
-}
 
 /// A state of `everything`, rotated by `rotation` from the identity.
 VectorXd state(RandomStream& random, double heading, const Vector3d& rotation) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "incognita/math/random.hpp"
+#include "tests/math/random_direction.hpp"
 
 namespace incognita {
 namespace {
@@ -16,11 +17,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-constexpr double pi = std::numbers::pi;
-
-Vector3d random_direction(RandomStream& random) {
-  return Vector3d(random.normal(), random.normal(), random.normal()).normalized();
-}
+using std::numbers::pi;
 
 /// Angles at which a formula for rotations may be ill-conditioned: zero, either side of the switch to a
 /// series, pi.

@@ -17,12 +17,12 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 constexpr double pi = std::numbers::pi;
 
-std::vector<Vector3d> poses() {
+std::vector<Vector3d> bearing_poses() {
   return {{0, 0, 0}, {1, -2, pi}, {-3, 4, -3.1415}, {0.1, 0.2, pi / 2}, {7, 7, -2}};
 }
 
 TEST(Bearing, IsTheSecondRowOfRangeAndBearing) {
-  for (const Vector3d& pose : poses())
+  for (const Vector3d& pose : bearing_poses())
     for (const Vector2d& point : {Vector2d(3, 1), Vector2d(-2, 5), Vector2d(7, -1e3)}) {
       const auto both = RangeBearing::predict_measurement(pose, point);
       const auto one = Bearing::predict_measurement(pose, point);
@@ -39,7 +39,7 @@ TEST(Bearing, IsUndefinedAtTheSensor) {
 }
 
 TEST(PlanarInverseDistance, InitializationIsTheInverseOfTheMeasurement) {
-  for (const Vector3d& pose : poses())
+  for (const Vector3d& pose : bearing_poses())
     for (const double bearing : {0.0, 1e-9, pi / 2, -pi / 2, pi - 1e-7, -pi + 1e-7, -2.5})
       for (const double inverse : {0.0, 1e-9, 0.5, 100.0}) {
         const auto initialized = PlanarInverseDistance::initialize(pose, bearing, inverse);

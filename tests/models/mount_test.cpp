@@ -16,7 +16,7 @@ namespace incognita {
 namespace {
 
 using Eigen::Matrix3d;
-using D = Dual<3>;
+using Dual3 = Dual<3>;
 
 std::vector<Mount> mounts() {
   return {Mount{},
@@ -31,10 +31,10 @@ std::vector<Vector3d> poses() {
 }
 
 /// The pose of the mounted camera of a displaced vehicle, by definition, as an error about `mean`.
-Eigen::Matrix<double, 6, 3> exact(const Mount& mount, const Vector3<D>& position, const Matrix3<D>& axes,
-                                  const CameraState& mean) {
-  const Matrix3<D> camera = axes * mount.body_from_camera().cast<D>();
-  const Vector3<D> at = position + axes * mount.lever().cast<D>();
+Eigen::Matrix<double, 6, 3> exact(const Mount& mount, const Vector3<Dual3>& position,
+                                  const Matrix3<Dual3>& axes, const CameraState& mean) {
+  const Matrix3<Dual3> camera = axes * mount.body_from_camera().cast<Dual3>();
+  const Vector3<Dual3> at = position + axes * mount.lever().cast<Dual3>();
   const Matrix3d R = rotation_matrix<double>(mean.segment<4>(3));
   Eigen::Matrix<double, 6, 3> J;
   J.topRows<3>() = derivatives<3, 3>(at);
@@ -52,8 +52,8 @@ TEST(Mount, JacobianIsExactOnAPlanarVehicle) {
     for (const Vector3d& pose : poses()) {
       const auto mounted_pose = mount.on(on_floor(pose));
       const auto moved = variables<3>(pose);
-      const D c = cos(moved[2]), s = sin(moved[2]), none(0), one(1);
-      Matrix3<D> axes;
+      const Dual3 c = cos(moved[2]), s = sin(moved[2]), none(0), one(1);
+      Matrix3<Dual3> axes;
       axes << c, -s, none, s, c, none, none, none, one;
       const auto J = exact(mount, {moved[0], moved[1], none}, axes, mounted_pose.camera);
       EXPECT_LE((mounted_pose.J - J).norm(), 1e-13 * J.norm());
@@ -67,7 +67,8 @@ TEST(Mount, JacobianIsExactOnUnevenGround) {
         const TerrainVehicle vehicle{ground};
         const auto mounted_pose = mount.on(vehicle.pose(pose));
         const auto moved = variables<3>(pose);
-        const auto J = exact(mount, vehicle.position<D>(moved), vehicle.axes<D>(moved), mounted_pose.camera);
+        const auto J =
+            exact(mount, vehicle.position<Dual3>(moved), vehicle.axes<Dual3>(moved), mounted_pose.camera);
         EXPECT_LE((mounted_pose.J - J).norm(), 1e-12 * J.norm());
       }
 }
@@ -82,11 +83,11 @@ TEST(Mount, MeasurementThroughItHasTheVehiclesJacobian) {
     ASSERT_TRUE(prediction);
     const Eigen::Matrix<double, 2, 3> Hv = by_vehicle(prediction->Hv, mounted_pose.J);
     const auto moved = variables<3>(pose);
-    const Matrix3<D> axes = vehicle.axes<D>(moved);
-    const Vector3<D> at = vehicle.position<D>(moved) + axes * mount.lever().cast<D>();
-    const Matrix3<D> camera = axes * mount.body_from_camera().cast<D>();
-    const Vector3<D> in_camera = camera.transpose() * (point.cast<D>() - at);
-    expect_near(Hv, (derivatives<3, 2>(wide.h<D>(in_camera))), 1e-11);
+    const Matrix3<Dual3> axes = vehicle.axes<Dual3>(moved);
+    const Vector3<Dual3> at = vehicle.position<Dual3>(moved) + axes * mount.lever().cast<Dual3>();
+    const Matrix3<Dual3> camera = axes * mount.body_from_camera().cast<Dual3>();
+    const Vector3<Dual3> in_camera = camera.transpose() * (point.cast<Dual3>() - at);
+    expect_near(Hv, (derivatives<3, 2>(wide.h<Dual3>(in_camera))), 1e-11);
   }
 }
 

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-std::vector<Vector3d> poses() {
+std::vector<Vector3d> frame_poses() {
   const double pi = std::numbers::pi;
   return {{0, 0, 0}, {1, -2, pi}, {-3, 4, -pi + 1e-9}, {0.1, 0.2, pi / 2}, {7e4, -7, -2}, {1e-9, 0, 1e-12}};
 }
@@ -36,7 +36,7 @@ Eigen::Matrix<S, 2, 1> out_of(const Eigen::Matrix<S, 3, 1>& frame, const Eigen::
 
 TEST(PlanarFrame, PointJacobiansAreExact) {
   using D = Dual<5>;
-  for (const Vector3d& frame : poses())
+  for (const Vector3d& frame : frame_poses())
     for (const Vector2d& point : {Vector2d(0, 0), Vector2d(3, -4), Vector2d(1e5, 1)}) {
       const planar::FramedPoint in = planar::in_frame(frame, point), out = planar::out_of_frame(frame, point);
       const auto a = into<D>(variables<5>(frame), variables<5>(point, 3));
@@ -51,8 +51,8 @@ TEST(PlanarFrame, PointJacobiansAreExact) {
 }
 
 TEST(PlanarFrame, PosesComposeAndInvert) {
-  for (const Vector3d& frame : poses())
-    for (const Vector3d& pose : poses()) {
+  for (const Vector3d& frame : frame_poses())
+    for (const Vector3d& pose : frame_poses()) {
       const planar::FramedPose seen = planar::in_frame(frame, pose), world = planar::inverse(frame);
       // the frame in world axes, the world in frame axes: their composition is the identity
       const planar::FramedPose back = planar::in_frame(world.pose, seen.pose);
@@ -70,7 +70,7 @@ TEST(PlanarFrame, JacobianBetweenPosesIsTheFOfEveryVehicle) {
   const DifferentialDrive drive{0.7, -0.3};
   AckermannCar car;
   car.body = {3.78, 0.5};
-  for (const Vector3d& x : poses())
+  for (const Vector3d& x : frame_poses())
     for (const Vector2d& u : {Vector2d(1, 0.3), Vector2d(-2, 0), Vector2d(0, -0.5)}) {
       for (const planar::Step& step : {drive.step(x, u, 0.2), car.step(x, u, 0.2)}) {
         EXPECT_LE((planar::jacobian_between(x, step.x) - step.F).norm(), 1e-12 * (1 + x.norm()));
@@ -79,7 +79,7 @@ TEST(PlanarFrame, JacobianBetweenPosesIsTheFOfEveryVehicle) {
 }
 
 TEST(PositionFix, IsThePositionOfThePose) {
-  for (const Vector3d& x : poses()) {
+  for (const Vector3d& x : frame_poses()) {
     const PositionFix::Prediction prediction = PositionFix::predict_measurement(x);
     EXPECT_EQ(prediction.z, x.head<2>());
     EXPECT_EQ(prediction.Hv * x, x.head<2>());

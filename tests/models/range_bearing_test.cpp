@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using D = Dual<5>;
+using Dual5 = Dual<5>;
 
 /// Ahead, abeam, behind on either side of the wrap, at a micrometer and at a hundred kilometers.
 std::vector<Vector2d> places() {
@@ -36,13 +36,13 @@ TEST(RangeBearing, JacobiansAreExact) {
       const Vector2d point = RangeBearing::j<double>(pose, z);
       const auto prediction = RangeBearing::predict_measurement(pose, point);
       ASSERT_TRUE(prediction);
-      const auto J = derivatives<5, 2>(RangeBearing::h<D>(variables<5>(pose), variables<5>(point, 3)));
+      const auto J = derivatives<5, 2>(RangeBearing::h<Dual5>(variables<5>(pose), variables<5>(point, 3)));
       EXPECT_LE((prediction->Hv - J.leftCols<3>()).norm(), 1e-12 * J.norm())
           << pose.transpose() << " " << z.transpose();
       EXPECT_LE((prediction->Hl - J.rightCols<2>()).norm(), 1e-12 * J.norm())
           << pose.transpose() << " " << z.transpose();
       const auto initialization = RangeBearing::initialize(pose, z);
-      const auto B = derivatives<5, 2>(RangeBearing::j<D>(variables<5>(pose), variables<5>(z, 3)));
+      const auto B = derivatives<5, 2>(RangeBearing::j<Dual5>(variables<5>(pose), variables<5>(z, 3)));
       EXPECT_LE((initialization.Jv - B.leftCols<3>()).norm(), 1e-14 * B.norm());
       EXPECT_LE((initialization.Jz - B.rightCols<2>()).norm(), 1e-14 * B.norm());
     }

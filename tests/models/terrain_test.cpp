@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::RowVector2d;
 using Eigen::Vector2d;
-using D = Dual<2>;
+using Dual2 = Dual<2>;
 
 std::vector<Terrain> every_kind() {
   return {Terrain(), grounds::steep_slope(), grounds::gentle_waves(), grounds::steep_waves(),
@@ -37,9 +37,9 @@ TEST(Terrain, DerivativesEqualThoseOfTheHeight) {
   for (const Terrain& terrain : every_kind())
     for (const Vector2d& at : places()) {
       const auto x = variables<2>(at);
-      const GroundPoint<D> d = terrain.at<D>(x[0], x[1]);
+      const GroundPoint<Dual2> d = terrain.at<Dual2>(x[0], x[1]);
       const GroundPoint<double> p = terrain.at<double>(at.x(), at.y());
-      const auto expect = [&](const D& of, const RowVector2d& coded) {
+      const auto expect = [&](const Dual2& of, const RowVector2d& coded) {
         EXPECT_LE((of.derivatives().transpose() - coded).norm(), 1e-13 * (1 + coded.norm()))
             << at.transpose();
       };

@@ -25,7 +25,7 @@ std::vector<TerrainVehicle> vehicles() {
           TerrainVehicle{grounds::steep_waves()}, TerrainVehicle{grounds::small_height_map()}};
 }
 
-std::vector<Vector3d> states() {
+std::vector<Vector3d> terrain_states() {
   std::vector<Vector3d> all{
       {0, 0, 0}, {1, -2, std::numbers::pi}, {-9, 15, -std::numbers::pi / 2}, {30, -40, 2}};
   RandomStream random(1, "states");
@@ -49,7 +49,7 @@ Vector3d driven(const TerrainVehicle& vehicle, Vector3d x, const Vector2d& u, do
 
 TEST(TerrainVehicle, AxesAreOrthonormalAndTangentToTheGround) {
   for (const auto& vehicle : vehicles())
-    for (const Vector3d& x : states()) {
+    for (const Vector3d& x : terrain_states()) {
       const Matrix3d R = vehicle.axes<double>(x);
       EXPECT_LE((R.transpose() * R - Matrix3d::Identity()).norm(), 1e-14);
       EXPECT_NEAR(R.determinant(), 1, 1e-14);
@@ -71,7 +71,7 @@ TEST(TerrainVehicle, AxesAreOrthonormalAndTangentToTheGround) {
 TEST(TerrainVehicle, SpeedIsAlongTheGroundAndTurnRateAboutTheNormal) {
   const double e = 1e-4;
   for (const auto& vehicle : vehicles())
-    for (const Vector3d& start : states())
+    for (const Vector3d& start : terrain_states())
       for (const Vector2d& u : inputs()) {
         const Vector3d before = driven(vehicle, start, u, 1 - e, 400);
         const Vector3d now = driven(vehicle, before, u, e, 1), after = driven(vehicle, now, u, e, 1);
@@ -90,7 +90,7 @@ TEST(TerrainVehicle, SpeedIsAlongTheGroundAndTurnRateAboutTheNormal) {
 
 TEST(TerrainVehicle, PoseJacobianTimesRateIsTheVelocity) {
   for (const auto& vehicle : vehicles())
-    for (const Vector3d& x : states())
+    for (const Vector3d& x : terrain_states())
       for (const Vector2d& u : inputs()) {
         const Eigen::Matrix<double, 6, 1> v = vehicle.pose(x).J * vehicle.rate<double>(x, u);
         EXPECT_LE((v.head<3>() - u[0] * vehicle.axes<double>(x).col(0)).norm(), 1e-13);
@@ -101,7 +101,7 @@ TEST(TerrainVehicle, PoseJacobianTimesRateIsTheVelocity) {
 TEST(TerrainVehicle, PoseJacobianIsExact) {
   using D = Dual<3>;
   for (const auto& vehicle : vehicles())
-    for (const Vector3d& x : states()) {
+    for (const Vector3d& x : terrain_states()) {
       const auto moved = variables<3>(x);
       const Matrix3<D> axes = vehicle.axes<D>(moved);
       const auto pose = vehicle.pose(x);
@@ -121,7 +121,7 @@ TEST(TerrainVehicle, PoseJacobianIsExact) {
 
 TEST(TerrainVehicle, JacobiansAreExactOnSteepGround) {
   const TerrainVehicle vehicle{grounds::steep_waves()};
-  for (const Vector3d& x : states())
+  for (const Vector3d& x : terrain_states())
     for (const Vector2d& u : inputs()) {
       const auto y = vehicle.f<Dual<5>>(variables<5>(x), variables<5>(u, 3), 0.1);
       const auto J = derivatives<5, 3>(y);
@@ -133,7 +133,7 @@ TEST(TerrainVehicle, JacobiansAreExactOnSteepGround) {
 
 TEST(TerrainVehicle, EqualsTheDifferentialDriveOnLevelGround) {
   const TerrainVehicle vehicle{TiltedPlane{.height_m = 3}};
-  for (const Vector3d& x : states())
+  for (const Vector3d& x : terrain_states())
     for (const Vector2d& u : inputs()) {
       EXPECT_EQ(vehicle.rate<double>(x, u), DifferentialDrive{}.rate<double>(x, u));
       const auto pose = vehicle.pose(x), floor = on_floor(x);

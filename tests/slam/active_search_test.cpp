@@ -16,15 +16,16 @@ namespace {
 using namespace synthetic;
 
 const Wall wall(2);
-const CameraState origin = camera_at({0, 0, 0});
 constexpr double px_per_m = 195 / 2.0;  // on the wall, seen from the origin
 
 /// Landmarks at corners of the wall, spread over the image, all where they are believed to be but for `off`.
-struct Scene : Tracking {
+struct SearchScene : Tracking {
   Image image = wall.seen_from(origin);
 
-  explicit Scene(double sigma_camera_m) : Scene(camera_covariance(sigma_camera_m)) {}
-  explicit Scene(const CameraCov& P) : Tracking(origin, P) { tracked.settings.filter.sigma_pixel_px = 0.5; }
+  explicit SearchScene(double sigma_camera_m) : SearchScene(camera_covariance(sigma_camera_m)) {}
+  explicit SearchScene(const CameraCov& P) : Tracking(origin, P) {
+    tracked.settings.filter.sigma_pixel_px = 0.5;
+  }
   static CameraCov camera_covariance(double sigma_m) {
     CameraCov P = 1e-8 * CameraCov::Identity();
     P.topLeftCorner<3, 3>() *= sigma_m * sigma_m / 1e-8;
@@ -62,7 +63,7 @@ struct Scene : Tracking {
 };
 
 TEST(ActiveSearch, TheMostUncertainFirstAndNoMoreThanAllowed) {
-  Scene scene(1e-4);
+  SearchScene scene(1e-4);
   const double sigmas_px[] = {1, 5, 2, 6, 3, 4};
   for (std::size_t i = 0; i < 6; ++i) scene.add(9 * i, sigmas_px[i]);
   scene.settings().max_measurements = 3;
@@ -76,7 +77,7 @@ TEST(ActiveSearch, TheMostUncertainFirstAndNoMoreThanAllowed) {
 }
 
 TEST(ActiveSearch, FeaturesThatStoppedMatchingComeLast) {
-  Scene scene(1e-4);
+  SearchScene scene(1e-4);
   const double sigmas_px[] = {6, 5, 1, 2};
   for (std::size_t i = 0; i < 4; ++i) scene.add(9 * i, sigmas_px[i]);
   for (const std::int64_t id : {0, 1}) scene.feature(id).recent_attempts = 10;
@@ -90,7 +91,7 @@ TEST(ActiveSearch, FindsThePatchInsideItsEllipseAndNowhereElse) {
   constexpr double sigma_px = 4;  // with that of the pixel: 4.03
   const Eigen::Vector2d directions[] = {{1, 0}, {0, 1}, {-0.6, 0.8}};
   for (const Eigen::Vector2d& way : directions) {
-    Scene inside(1e-5), outside(1e-5);
+    SearchScene inside(1e-5), outside(1e-5);
     inside.settings().min_correlation = outside.settings().min_correlation = 0.95;  // nothing alike
     inside.add(30, sigma_px, 10.5 * way);
     outside.add(30, sigma_px, 15 * way);
@@ -106,11 +107,11 @@ TEST(ActiveSearch, FindsThePatchInsideItsEllipseAndNowhereElse) {
 /// Nearer than a pixel to its prediction: the smallest ellipse holds the nearest pixel.
 /// Searched at an eighth of the resolution, where they are less than a pixel wide.
 TEST(ActiveSearch, FindsPatchesInLongThinEllipses) {
-  CameraCov P = Scene::camera_covariance(0);
+  CameraCov P = SearchScene::camera_covariance(0);
   P.diagonal().head<3>().setConstant(1e-8);
   P(1, 1) = std::pow(17 / px_per_m, 2);
   for (const double moved_px : {-27.4, -18.6, 13.3, 22.7}) {
-    Scene scene(P);
+    SearchScene scene(P);
     scene.settings().levels = 4;
     for (std::size_t i = 0; i < 6; ++i) scene.add(5 * i, 0.1);
     const CameraState moved = camera_at({0, moved_px / px_per_m, 0});
@@ -127,7 +128,7 @@ TEST(ActiveSearch, FindsPatchesInLongThinEllipses) {
 
 TEST(ActiveSearch, OfACertainPredictionTriesTheNearestPixel) {
   for (const double off_px : {0.0, 0.3, 0.5}) {
-    Scene scene(1e-5);
+    SearchScene scene(1e-5);
     scene.tracked.settings.filter.sigma_pixel_px = 0.01;
     scene.add(30, 0.01, {off_px, off_px});
     scene.search();
@@ -138,7 +139,7 @@ TEST(ActiveSearch, OfACertainPredictionTriesTheNearestPixel) {
 
 /// The best place of another scene: it is inside the ellipse, whatever it is like.
 TEST(ActiveSearch, StaysInTheEllipseOfAnotherScene) {
-  Scene scene(0.03);
+  SearchScene scene(0.03);
   scene.settings().min_correlation = -1;
   for (std::size_t i = 0; i < 6; ++i) scene.add(9 * i, 3 + static_cast<double>(i));
   scene.image = Wall(2, 77).seen_from(origin);
@@ -153,7 +154,7 @@ TEST(ActiveSearch, StaysInTheEllipseOfAnotherScene) {
 }
 
 TEST(ActiveSearch, GoesNoFurtherOutThanTheLargestHalfAxis) {
-  Scene scene(1e-5);
+  SearchScene scene(1e-5);
   scene.settings().max_half_axis_px = 8;
   scene.settings().min_correlation = 0.95;
   scene.add(30, 20, {10, 0});
@@ -165,7 +166,7 @@ TEST(ActiveSearch, GoesNoFurtherOutThanTheLargestHalfAxis) {
 }
 
 TEST(ActiveSearch, BelowTheLeastCorrelationNothingIsFound) {
-  Scene scene(1e-5);
+  SearchScene scene(1e-5);
   scene.add(30, 2);
   scene.image = Wall(2, 77).seen_from(origin);
   EXPECT_EQ(scene.search(), 1) << "it was searched for";
@@ -181,7 +182,7 @@ TEST(ActiveSearch, BelowTheLeastCorrelationNothingIsFound) {
 /// Five agree that the camera is where it is. One landmark is 12 px from where the map has it: far inside the
 /// ellipse that the camera's uncertainty gives, far outside of what the five leave.
 TEST(ActiveSearch, AnOutlierThatTheOthersContradictIsRejected) {
-  Scene scene(0.05);  // 5 px each
+  SearchScene scene(0.05);  // 5 px each
   for (std::size_t i = 0; i < 5; ++i) scene.add(9 * i, 0.3);
   scene.add(45, 0.3, {12, 0});
   EXPECT_EQ(scene.search(), 6);
@@ -193,7 +194,7 @@ TEST(ActiveSearch, AnOutlierThatTheOthersContradictIsRejected) {
 }
 
 TEST(ActiveSearch, WithoutMatchesNothingIsLeft) {
-  Scene scene(0.05);
+  SearchScene scene(0.05);
   scene.add(30, 2);
   scene.image = Image(model.width, model.height, 90);
   scene.search();
@@ -205,7 +206,7 @@ TEST(ActiveSearch, WithoutMatchesNothingIsLeft) {
 /// other match says where it should be.
 TEST(ActiveSearch, AReturningLandmarkThatNothingConfirmsIsAlone) {
   for (const int frames_away : {14, 15}) {
-    Scene scene(0.02);
+    SearchScene scene(0.02);
     for (std::size_t i = 0; i < 5; ++i) scene.add(9 * i, 0.3);
     scene.add(45, 12).frames_away = frames_away;
     scene.search();
@@ -214,7 +215,7 @@ TEST(ActiveSearch, AReturningLandmarkThatNothingConfirmsIsAlone) {
     EXPECT_EQ(scene.reject(), returns ? 5 : 6);
     EXPECT_EQ(scene.outcome(5), returns ? MatchOutcome::unconfirmed : MatchOutcome::matched) << frames_away;
   }
-  Scene precise(0.02);
+  SearchScene precise(0.02);
   for (std::size_t i = 0; i < 5; ++i) precise.add(9 * i, 0.3);
   precise.add(45, 6).frames_away = 100;
   precise.search();
@@ -224,7 +225,7 @@ TEST(ActiveSearch, AReturningLandmarkThatNothingConfirmsIsAlone) {
 /// The camera itself is uncertain by much more than a pixel: two landmarks that return say the same of it.
 TEST(ActiveSearch, ReturningLandmarksConfirmEachOther) {
   for (const std::size_t count : {1u, 2u}) {
-    Scene scene(0.15);  // 15 px
+    SearchScene scene(0.15);  // 15 px
     for (std::size_t i = 0; i < count; ++i) scene.add(9 + 27 * i, 0.3).frames_away = 40;
     scene.search();
     const int left = scene.reject();
@@ -236,7 +237,7 @@ TEST(ActiveSearch, ReturningLandmarksConfirmEachOther) {
 
 /// The second feature of a corner would count its information twice; the first counts, and no attempt for the second.
 TEST(ActiveSearch, ACornerThatIsMappedTwiceIsMatchedOnce) {
-  Scene s(0.001);
+  SearchScene s(0.001);
   s.add(0, 1), s.add(1, 1), s.add(0, 2);
   EXPECT_EQ(s.search(), 2);
   std::vector<MatchOutcome> outcomes;

@@ -16,7 +16,6 @@ namespace {
 using namespace synthetic;
 
 const Wall wall(2);
-const CameraState origin = camera_at({0, 0, 0});
 
 /// The camera at the origin, turned by a rotation vector in its own axes.
 CameraState turned(const Eigen::Vector3d& by) {

@@ -23,12 +23,12 @@ using Eigen::VectorXd;
 const Eigen::Matrix2d noise = Vector2d(0.1 * 0.1, 0.02 * 0.02).asDiagonal();
 
 /// A vehicle that is not sure where it is, and landmarks it has mapped from there.
-struct Scene {
+struct AssociationScene {
   AnyBelief belief;
   BlockId vehicle;
   std::vector<BlockId> landmarks;
 
-  Scene(const std::vector<Vector2d>& points, double sigma_m, double sigma_rad) {
+  AssociationScene(const std::vector<Vector2d>& points, double sigma_m, double sigma_rad) {
     const Vector3d variances(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad);
     vehicle =
         belief.add_vehicle(planar::pose_chart, Vector3d::Zero(), variances.asDiagonal().toDenseMatrix());
@@ -110,7 +110,7 @@ TEST(JointCompatibility, FindsWhatTryingEverySetFinds) {
   for (int round = 0; round < 60; ++round) {
     std::vector<Vector2d> points, measurements;
     for (int i = 0; i < 4; ++i) points.push_back({random.uniform(2, 5), random.uniform(-2, 2)});
-    const Scene scene(points, 0.4, 0.1);
+    const AssociationScene scene(points, 0.4, 0.1);
     const Vector3d truth(0.4 * random.normal(), 0.4 * random.normal(), 0.1 * random.normal());
     for (int i = 0; i < 4; ++i) {
       const Vector2d point =
@@ -148,7 +148,7 @@ std::vector<int> nearest_neighbors(const AnyBelief& belief, const std::vector<Pa
 /// post looks nearest to its neighbor's.
 TEST(JointCompatibility, HoldsWhereNearestNeighborsTakeTheWrongPost) {
   const std::vector<Vector2d> posts = {{4, -1}, {4, -0.4}, {4, 0.2}, {4, 0.8}, {4.9, 0.5}};
-  const Scene scene(posts, 0.3, 0.01);
+  const AssociationScene scene(posts, 0.3, 0.01);
   std::vector<Vector2d> measurements;
   for (const Vector2d& post : posts)
     measurements.push_back(RangeBearing::predict_measurement({0, 0.4, 0}, post)->z);
@@ -166,7 +166,7 @@ TEST(JointCompatibility, ACappedSearchSaysSoAndIsStillOneToOne) {
   for (int i = 0; i < 12; ++i) posts.push_back({4 + 0.05 * i, 0.05 * i});
   for (const Vector2d& post : posts)
     measurements.push_back(RangeBearing::predict_measurement({0, 0.1, 0}, post)->z);
-  const Scene scene(posts, 0.5, 0.1);
+  const AssociationScene scene(posts, 0.5, 0.1);
   const auto pairings = scene.pairings(measurements);
   const Association found = jointly_compatible(scene.belief, pairings, {.max_nodes = 50});
   EXPECT_TRUE(found.capped);
@@ -179,7 +179,7 @@ TEST(JointCompatibility, ACappedSearchSaysSoAndIsStillOneToOne) {
 }
 
 TEST(Association, NothingIsNotAMatch) {
-  const Scene scene({{4, 0}}, 0.1, 0.01);
+  const AssociationScene scene({{4, 0}}, 0.1, 0.01);
   EXPECT_TRUE(jointly_compatible(scene.belief, {}, {}).chosen.empty());
   EXPECT_TRUE(nearest_neighbors(scene.belief, {}).empty());
   const auto far = scene.pairings({{9, 1}, {NAN, 0}, {4, NAN}});
@@ -188,7 +188,7 @@ TEST(Association, NothingIsNotAMatch) {
 }
 
 TEST(Association, NearestNeighborsAreOneToOne) {
-  const Scene scene({{4, 0}, {4, 0.3}}, 0.1, 0.01);
+  const AssociationScene scene({{4, 0}, {4, 0.3}}, 0.1, 0.01);
   const auto pairings = scene.pairings({{4, 0.001}, {4, 0.02}});
   const std::vector<int> found = nearest_neighbors(scene.belief, pairings);
   ASSERT_EQ(found.size(), 2u);

@@ -39,7 +39,6 @@ TEST(AutomaticSettings, FewerMeasurementsAreAffordableInALargeMap) {
 
 /// Of landmarks out of view those with the fewest matches; never one in view.
 TEST(FullMap, GivesUpTheLeastMatchedOutOfView) {
-  const CameraState origin = camera_at({0, 0, 0});
   Tracking t(origin, CameraCov(1e-6 * CameraCov::Identity()));
   const Wall wall(2);
   const Image image = wall.seen_from(origin);

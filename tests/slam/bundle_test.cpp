@@ -14,10 +14,10 @@ const Camera camera{WideAngleCamera{}};
 constexpr double sigma_px = 0.5;
 
 /// Six views from a line look at 30 points, every other of them in inverse depth; one point is known.
-struct Scene {
+struct BundleScene {
   Bundle truth, start;
 
-  explicit Scene(std::uint64_t seed, double noise_px = sigma_px) : random(seed, "bundle") {
+  explicit BundleScene(std::uint64_t seed, double noise_px = sigma_px) : random(seed, "bundle") {
     for (int i = 0; i < 6; ++i) truth.views.push_back(view(0.1 * i));
     for (int i = 0; i < 31; ++i) add_point(i, noise_px);
     truth.first_view = truth.views.front();
@@ -78,7 +78,7 @@ struct Scene {
 };
 
 TEST(BundleAdjustment, FindsTheTruthWithoutNoise) {
-  Scene scene(1, 0);
+  BundleScene scene(1, 0);
   for (BundlePoint& point : scene.start.points)
     point.sigma_prior_inverse_depth = std::numeric_limits<double>::infinity();
   BundleEquations equations;
@@ -104,7 +104,7 @@ double slope(const Bundle& bundle, const Move& move) {
 }
 
 TEST(BundleAdjustment, EndsWhereTheCostIsFlat) {
-  Scene scene(2);
+  BundleScene scene(2);
   BundleEquations equations;
   const AdjustmentReport report =
       adjust(scene.start, camera, {.max_iterations = 50, .min_relative_decrease = 1e-13}, equations);
@@ -127,7 +127,7 @@ TEST(BundleAdjustment, EndsWhereTheCostIsFlat) {
 
 /// Fixed views are part of the measurements of the others, which find the truth without noise.
 TEST(BundleAdjustment, LeavesFixedViewsWhereTheyAre) {
-  Scene scene(5, 0);
+  BundleScene scene(5, 0);
   for (const std::size_t v : {0, 2, 3}) {
     scene.start.views[v] = scene.truth.views[v];
     scene.start.views[v].fixed = true;
@@ -149,7 +149,7 @@ TEST(BundleAdjustment, LeavesFixedViewsWhereTheyAre) {
 }
 
 TEST(BundleAdjustment, RefusesAViewWithoutMeasurements) {
-  Scene scene(3);
+  BundleScene scene(3);
   std::erase_if(scene.start.observations, [](const BundleObservation& o) { return o.view == 5; });
   const Bundle before = scene.start;
   BundleEquations equations;
@@ -158,7 +158,7 @@ TEST(BundleAdjustment, RefusesAViewWithoutMeasurements) {
 }
 
 TEST(BundleAdjustment, OutliersMoveItLittle) {
-  Scene scene(4, 0.1);
+  BundleScene scene(4, 0.1);
   for (std::size_t i = 0; i < scene.start.observations.size(); i += 10)
     scene.start.observations[i].pixel += Eigen::Vector2d(15, -8);
   BundleEquations equations;

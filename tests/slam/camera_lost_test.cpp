@@ -15,8 +15,6 @@ namespace {
 
 using namespace synthetic;
 
-const CameraState origin = camera_at({0, 0, 0});
-
 /// Tracks the wall from a known start: the camera slides to the left by 2 cm a frame, so that depths are
 /// known.
 struct Tracked {

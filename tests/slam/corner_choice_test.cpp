@@ -13,7 +13,6 @@ namespace {
 
 using namespace synthetic;
 
-const CameraState origin = camera_at({0, 0, 0});
 const CameraCov well_known = 1e-6 * CameraCov::Identity();
 
 /// What `times` draws choose, nothing being added to the map.

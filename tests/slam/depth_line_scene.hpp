@@ -11,7 +11,6 @@
 namespace incognita::synthetic {
 
 inline const Wall wall(2);
-inline const CameraState origin = camera_at({0, 0, 0});
 
 inline CameraSlamSettings with_lines(double sigma_pixel_px = 0.5) {
   CameraSlamSettings settings = few_features();

@@ -12,7 +12,6 @@ namespace {
 using namespace synthetic;
 
 const Wall wall(2);
-const CameraState origin = camera_at({0, 0, 0});
 
 std::vector<FeatureMatch> predicted(Tracking& t) {
   predict_matches(t.estimate, t.tracked);

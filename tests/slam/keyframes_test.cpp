@@ -18,13 +18,13 @@ CameraState pose_at(int keyframe) {
 }
 
 /// Points in front of the camera; the first four are anchors, which give the scale.
-struct Scene {
+struct KeyframeScene {
   static constexpr int points = 30, anchors = 4;
   Tracking t{start, 1e-4 * CameraCov::Identity()};
   std::vector<Eigen::Vector3d> truth;
   Keyframes keyframes;
 
-  explicit Scene(double error_m) {
+  explicit KeyframeScene(double error_m) {
     RandomStream random(1, "keyframes");
     for (int i = 0; i < points; ++i) {
       truth.emplace_back(random.uniform(1.5, 3), random.uniform(-0.5, 0.7), random.uniform(0.6, 1.4));
@@ -76,10 +76,10 @@ struct Scene {
 };
 
 TEST(Keyframes, MoveCameraAndPointsToTheTruth) {
-  Scene scene(0.1);
+  KeyframeScene scene(0.1);
   scene.run(6, 15, 0.03);
   EXPECT_LT(scene.camera_error(6), 1e-3);
-  for (int i = Scene::anchors; i < Scene::points; ++i)
+  for (int i = KeyframeScene::anchors; i < KeyframeScene::points; ++i)
     EXPECT_LT((Eigen::Vector3d(scene.t.estimate.belief.mean(scene.t.landmark(i).block)) -
                scene.truth[static_cast<std::size_t>(i)])
                   .norm(),
@@ -88,21 +88,21 @@ TEST(Keyframes, MoveCameraAndPointsToTheTruth) {
 }
 
 TEST(Keyframes, LeaveTheCovariance) {
-  Scene scene(0.1);
+  KeyframeScene scene(0.1);
   const Eigen::MatrixXd before = scene.t.estimate.belief.covariance(scene.t.landmark(10).block);
   scene.run(3, 15, 0.03);
   EXPECT_EQ(Eigen::MatrixXd(scene.t.estimate.belief.covariance(scene.t.landmark(10).block)), before);
 }
 
 TEST(Keyframes, OfAWindowFindTheTruthToo) {
-  Scene scene(0.1);
+  KeyframeScene scene(0.1);
   scene.run(12, 4, 0.03);
   EXPECT_LT(scene.camera_error(12), 2e-3);
 }
 
 /// The filter moved them with the camera; what bundle adjustment takes back, it takes back of them too.
 TEST(Keyframes, MoveLandmarksOutOfViewAsTheCamera) {
-  Scene scene(0.1);
+  KeyframeScene scene(0.1);
   AnyBelief& belief = scene.t.estimate.belief;
   const auto add = [&](std::int64_t id, bool with_camera) {
     Landmark landmark;
@@ -130,15 +130,15 @@ TEST(Keyframes, MoveLandmarksOutOfViewAsTheCamera) {
 TEST(Keyframes, FitToReferences) {
   constexpr int keyframes = 4;
   const Eigen::Vector3d shift(0.02, 0.05, -0.03);
-  Scene scene(0);
+  KeyframeScene scene(0);
   AnyBelief& belief = scene.t.estimate.belief;
   scene.begin_in_the_middle();
   for (int k = 1; k <= keyframes; ++k) {
     if (k == 3)
-      for (int i = Scene::anchors; i < Scene::points; ++i)
+      for (int i = KeyframeScene::anchors; i < KeyframeScene::points; ++i)
         belief.set_mean(scene.t.landmark(i).block, scene.truth[static_cast<std::size_t>(i)] + shift);
     std::vector<KeyframeMatch> matches = scene.matches(k);
-    std::erase_if(matches, [](const KeyframeMatch& match) { return match.id < Scene::anchors; });
+    std::erase_if(matches, [](const KeyframeMatch& match) { return match.id < KeyframeScene::anchors; });
     for (KeyframeMatch& match : matches) match.is_reference = true;
     scene.t.move_to(pose_at(k));
     scene.keyframes.add(scene.t.estimate, scene.t.camera_block(), matches, k * keyframe_s);
@@ -147,14 +147,14 @@ TEST(Keyframes, FitToReferences) {
   }
   const CameraState x = belief.mean(scene.t.camera_block());
   EXPECT_LT((x.head<3>() - pose_at(keyframes).head<3>() - shift).norm(), 2e-3);
-  for (int i = Scene::anchors; i < Scene::points; ++i)
+  for (int i = KeyframeScene::anchors; i < KeyframeScene::points; ++i)
     EXPECT_EQ(Eigen::Vector3d(belief.mean(scene.t.landmark(i).block)),
               scene.truth[static_cast<std::size_t>(i)] + shift)
         << i;
 }
 
 TEST(Keyframes, KeepWhatTheySawOfDeletedLandmarks) {
-  Scene scene(0.1);
+  KeyframeScene scene(0.1);
   scene.run(4, 15, 0.03);
   for (int i = 10; i < 20; ++i) remove_landmark(scene.t.estimate, i);
   CameraState wrong = pose_at(5);
@@ -172,7 +172,7 @@ TEST(Keyframes, KeepWhatTheySawOfDeletedLandmarks) {
 }
 
 TEST(Keyframes, MoveInverseDepths) {
-  Scene scene(0.1);
+  KeyframeScene scene(0.1);
   Landmark& landmark = scene.t.landmark(20);
   scene.t.estimate.belief.drop(landmark.block);
   const CameraState from = pose_at(-1);  // where it was seen first, not a keyframe
@@ -189,7 +189,7 @@ TEST(Keyframes, MoveInverseDepths) {
 
 /// The filter had its velocity from poses that were wrong by a growing error.
 TEST(Keyframes, CorrectTheVelocityByTheChangeBetweenTheLastTwo) {
-  Scene scene(0);
+  KeyframeScene scene(0);
   scene.run(4, 15, 0);
   const Eigen::Vector3d drift(0.02, -0.02, 0.01);
   CameraState wrong = pose_at(5);
@@ -206,14 +206,14 @@ TEST(Keyframes, CorrectTheVelocityByTheChangeBetweenTheLastTwo) {
 /// The last two keyframes are turned by the same error about an axis of the world, and the camera rolls between them: its rate,
 /// in camera axes, is right and stays.
 TEST(Keyframes, LeaveTheRateWhereTheLastTwoWereTurnedTogether) {
-  Scene scene(0);
+  KeyframeScene scene(0);
   scene.run(2, 15, 0);
   const Eigen::Vector4d error = quaternion_exp<double>(Eigen::Vector3d(0, 0.03, 0));
   const Eigen::Vector3d rate(0, 0, 0.5 / keyframe_s);
   for (int k : {3, 4}) {
     const CameraState truth = camera_at(pose_at(k).head<3>(), 0, {0, 0, k == 4 ? 0.5 : 0.0});
     std::vector<KeyframeMatch> matches;
-    for (int i = 0; i < Scene::points; ++i)
+    for (int i = 0; i < KeyframeScene::points; ++i)
       matches.push_back(
           {i, pixel_of(truth, scene.truth[static_cast<std::size_t>(i)]), 0.25 * Eigen::Matrix2d::Identity()});
     CameraState believed = truth;
@@ -233,7 +233,7 @@ TEST(Keyframes, LeaveTheRateWhereTheLastTwoWereTurnedTogether) {
 }
 
 TEST(Keyframes, AreNoStartAfterTheyBeganInTheMiddle) {
-  Scene scene(0);
+  KeyframeScene scene(0);
   scene.run(1, 15, 0);
   EXPECT_TRUE(scene.keyframes.is_starting());
   scene.begin_in_the_middle();
@@ -241,7 +241,7 @@ TEST(Keyframes, AreNoStartAfterTheyBeganInTheMiddle) {
 }
 
 TEST(Keyframes, KeepFewOldViewsInALongRun) {
-  Scene scene(0);
+  KeyframeScene scene(0);
   scene.run(60, 4, 0.001);
   // The first, the last 20 fixed, and the window
   EXPECT_LE(scene.keyframes.view_count(), 1 + 20 + 4);
@@ -250,12 +250,12 @@ TEST(Keyframes, KeepFewOldViewsInALongRun) {
 
 /// Three views or more, since two fit nearly any depths.
 TEST(Keyframes, DoNotStartAgainWhereTheEstimateIsRight) {
-  Scene scene(0);
-  for (int i = 0; i < Scene::anchors; ++i) remove_landmark(scene.t.estimate, i);
+  KeyframeScene scene(0);
+  for (int i = 0; i < KeyframeScene::anchors; ++i) remove_landmark(scene.t.estimate, i);
   RandomStream random(7, "pixels");
   for (int k = 1; k <= 5; ++k) {
     std::vector<KeyframeMatch> matches = scene.matches(2 * k);
-    matches.erase(matches.begin(), matches.begin() + Scene::anchors);
+    matches.erase(matches.begin(), matches.begin() + KeyframeScene::anchors);
     for (KeyframeMatch& match : matches)
       match.pixel += 0.5 * Eigen::Vector2d(random.normal(), random.normal());
     scene.t.move_to(pose_at(2 * k));
@@ -269,11 +269,11 @@ TEST(Keyframes, DoNotStartAgainWhereTheEstimateIsRight) {
 
 /// A start that explains a motion forward by a rotation is a minimum, too. Few iterations do not leave it.
 TEST(Keyframes, StartAgainFromTwoViewsWhereTheFirstEstimateIsWrong) {
-  Scene scene(0);
-  for (int i = 0; i < Scene::anchors; ++i) remove_landmark(scene.t.estimate, i);
+  KeyframeScene scene(0);
+  for (int i = 0; i < KeyframeScene::anchors; ++i) remove_landmark(scene.t.estimate, i);
   std::vector<KeyframeMatch> matches;
   const CameraState second = camera_at({0.4, 0.1, 1}, 0.05);
-  for (int i = Scene::anchors; i < Scene::points; ++i) {
+  for (int i = KeyframeScene::anchors; i < KeyframeScene::points; ++i) {
     matches.push_back(
         {i, pixel_of(second, scene.truth[static_cast<std::size_t>(i)]), 0.25 * Eigen::Matrix2d::Identity()});
     // All depths wrong
@@ -295,10 +295,10 @@ TEST(Keyframes, StartAgainFromTwoViewsWhereTheFirstEstimateIsWrong) {
 }
 
 TEST(Keyframes, SayHowFarTheFilterMovedTheirPoints) {
-  Scene scene(0);
+  KeyframeScene scene(0);
   scene.run(3, 15, 0);
   EXPECT_LT(scene.keyframes.moved_px(scene.t.estimate, pose_at(3), camera), 0.1);
-  for (int i = Scene::anchors; i < Scene::points; ++i) {
+  for (int i = KeyframeScene::anchors; i < KeyframeScene::points; ++i) {
     const BlockId block = scene.t.landmark(i).block;
     scene.t.estimate.belief.set_mean(block, scene.t.estimate.belief.mean(block) + Eigen::Vector3d(0, 0.1, 0));
   }
@@ -310,7 +310,7 @@ TEST(Keyframes, SayHowFarTheFilterMovedTheirPoints) {
 
 TEST(Keyframes, CountLandmarksThatReturnFromBeforeTheWindow) {
   constexpr int window = 3, kept = 20;
-  Scene scene(0.02);
+  KeyframeScene scene(0.02);
   scene.run(2, window, 0.01);
   EXPECT_EQ(scene.keyframes.returning_count(scene.matches(3)), 0);
   for (int k = 3; k <= 5; ++k) {
@@ -322,14 +322,14 @@ TEST(Keyframes, CountLandmarksThatReturnFromBeforeTheWindow) {
     scene.keyframes.add(scene.t.estimate, scene.t.camera_block(), matches, k * keyframe_s);
     scene.keyframes.adjust(scene.t.estimate, scene.t.camera_block(), camera, {}, {0.5, 0.5}, window);
   }
-  EXPECT_EQ(scene.keyframes.returning_count(scene.matches(6)), Scene::points - kept);
+  EXPECT_EQ(scene.keyframes.returning_count(scene.matches(6)), KeyframeScene::points - kept);
   std::vector<KeyframeMatch> unknown = scene.matches(6);
-  for (KeyframeMatch& match : unknown) match.id += Scene::points;
+  for (KeyframeMatch& match : unknown) match.id += KeyframeScene::points;
   EXPECT_EQ(scene.keyframes.returning_count(unknown), 0) << "new landmarks do not return";
 }
 
 TEST(Keyframes, AreDueAfterMotionOrLostMatches) {
-  Scene scene(0);
+  KeyframeScene scene(0);
   scene.begin_in_the_middle();
   const KeyframePolicy policy{
       .min_frames = 2, .min_motion_px = 5, .min_start_motion_px = 0, .min_matched_share = 0.8};
@@ -343,7 +343,7 @@ TEST(Keyframes, AreDueAfterMotionOrLostMatches) {
 
 /// By 4 to 10 px from one keyframe to the next.
 TEST(Keyframes, AreNearerTogetherWhileTheMapStarts) {
-  Scene scene(0);
+  KeyframeScene scene(0);
   const auto is_due = [&](int keyframe, double start_px, double px) {
     return scene.keyframes.is_due(scene.matches(keyframe),
                                   {.min_frames = 1, .min_motion_px = px, .min_start_motion_px = start_px});

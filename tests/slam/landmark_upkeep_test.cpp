@@ -12,8 +12,6 @@ namespace {
 
 using namespace synthetic;
 
-const CameraState origin = camera_at({0, 0, 0});
-
 /// Landmarks of inverse depth, all correlated with the camera and with each other through it.
 Tracking with_inverse_depths(const std::vector<Eigen::Vector2d>& pixels) {
   Tracking t(origin, correlated_covariance(0.01, 6));

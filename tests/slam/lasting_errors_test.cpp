@@ -19,11 +19,11 @@ FilterSettings lasting(double sigma_px, double time_s) {
 }
 
 /// A belief of one unknown position in the image, px.
-struct Scene {
+struct LastingErrorsScene {
   Estimate estimate;
   BlockId position;
 
-  Scene() {
+  LastingErrorsScene() {
     position = estimate.belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(),
                                            100 * Eigen::Matrix2d::Identity());
     estimate.bodies.emplace_back().block = position;
@@ -42,7 +42,7 @@ FeatureMatch matched(std::int64_t id) {
 TEST(LastingErrors, TheFilterKnowsAsMuchAsAllMeasurementsTogether) {
   constexpr int frames = 40;
   constexpr double white_px = 0.05, lasting_px = 0.2, time_s = 0.7, dt = 1.0 / 30;
-  Scene scene;
+  LastingErrorsScene scene;
   const FilterSettings settings = lasting(lasting_px, time_s);
   LastingErrors errors;
   errors.start(scene.estimate, settings, 1);
@@ -72,7 +72,7 @@ TEST(LastingErrors, TheFilterKnowsAsMuchAsAllMeasurementsTogether) {
 }
 
 TEST(LastingErrors, OfAPatchOfUnknownPlaneIsLarger) {
-  Scene scene;
+  LastingErrorsScene scene;
   const FilterSettings settings = lasting(0.1, 5);
   LastingErrors errors;
   errors.start(scene.estimate, settings, 1);
@@ -92,7 +92,7 @@ TEST(LastingErrors, OfAPatchOfUnknownPlaneIsLarger) {
 }
 
 TEST(LastingErrors, AreLentToTheLandmarksThatAreMatched) {
-  Scene scene;
+  LastingErrorsScene scene;
   const FilterSettings settings = lasting(0.1, 5);
   LastingErrors errors;
   errors.start(scene.estimate, settings, 1);  // two blocks
@@ -122,7 +122,7 @@ TEST(LastingErrors, AreLentToTheLandmarksThatAreMatched) {
 }
 
 TEST(LastingErrors, OfANewViewAreIndependent) {
-  Scene scene;
+  LastingErrorsScene scene;
   const FilterSettings settings = lasting(0.1, 5);
   LastingErrors errors;
   errors.start(scene.estimate, settings, 1);
@@ -143,7 +143,7 @@ TEST(LastingErrors, OfANewViewAreIndependent) {
 }
 
 TEST(LastingErrors, WithoutASigmaThereAreNone) {
-  Scene scene;
+  LastingErrorsScene scene;
   LastingErrors errors;
   errors.start(scene.estimate, lasting(0, 5), 10);
   EXPECT_TRUE(scene.estimate.lasting_errors.empty());

@@ -18,11 +18,11 @@ namespace {
 // ---- The transform
 
 /// A camera, an inverse depth and a point, all correlated.
-struct Scene {
+struct LoopScene {
   Tracking t{camera_at({0.1, 0.2, 1}, 0.3, {0.1, 0.2, -0.1}), correlated_covariance(0.05, 3)};
   std::vector<std::int64_t> ids;
 
-  Scene() {
+  LoopScene() {
     CameraState& camera_now = t.tracked.view.camera;
     camera_now.segment<3>(7) << 0.1, -0.2, 0.3;
     t.move_to(camera_now);
@@ -58,14 +58,14 @@ struct Scene {
 
 DriftCorrection some_correction() {
   DriftCorrection drift;
-  drift.center = Scene().t.tracked.view.camera.head<3>();
+  drift.center = LoopScene().t.tracked.view.camera.head<3>();
   drift.translation << 0.1, -0.2, 0.05;
   drift.turn << 0.1, 0.2, -0.15;
   return drift;
 }
 
 TEST(Drift, OfCameraAndLandmarksTogetherDoesNotShow) {
-  Scene scene;
+  LoopScene scene;
   const Eigen::Vector2d before[] = {scene.pixel(0), scene.pixel(1)};
   const SmallVector x = scene.t.estimate.belief.mean(scene.t.camera_block());
   correct_drift(scene.t.estimate, 0, some_correction(), scene.shares(1, 1));
@@ -79,7 +79,7 @@ TEST(Drift, OfCameraAndLandmarksTogetherDoesNotShow) {
 /// The means after a transform that differs from `drift` by `error`: translation, turn after it, logarithm of the scale.
 Eigen::VectorXd means_after(const DriftCorrection& drift, const Eigen::VectorXd& error, double of_first,
                             double of_second) {
-  Scene scene;
+  LoopScene scene;
   correct_drift(scene.t.estimate, 0, drift, scene.shares(of_first, of_second));
   const AnyBelief& belief = scene.t.estimate.belief;
   const CameraState x = belief.mean(scene.t.camera_block());
@@ -113,7 +113,7 @@ TEST(Drift, IsAsUncertainAsItSays) {
     DriftCorrection drift = some_correction();
     const Eigen::MatrixXd J = numeric_jacobian(
         7, 1e-6, [&](const Eigen::VectorXd& error) { return means_after(drift, error, 1, share); });
-    Scene certain, uncertain;
+    LoopScene certain, uncertain;
     correct_drift(certain.t.estimate, 0, drift, certain.shares(1, share));
     drift.cov = 0.01 * correlated_covariance(1, 5).topLeftCorner<7, 7>();
     correct_drift(uncertain.t.estimate, 0, drift, uncertain.shares(1, share));
@@ -134,7 +134,7 @@ TEST(Drift, IsUncertainBetweenItsEnds) {
   DriftCorrection certain = some_correction(), uncertain = certain;
   uncertain.cov.topLeftCorner<3, 3>() = 0.01 * Eigen::Matrix3d::Identity();
   const auto variance = [](const DriftCorrection& drift, double share) {
-    Scene scene;
+    LoopScene scene;
     correct_drift(scene.t.estimate, 0, drift, scene.shares(1, share));
     return scene.t.estimate.belief.covariance(scene.t.landmark(scene.ids[1]).block).trace();
   };
@@ -145,7 +145,7 @@ TEST(Drift, IsUncertainBetweenItsEnds) {
 /// What was seen at the same time stays where it was relative to each other, however far it drifted.
 TEST(Drift, LeavesWhatWasSeenTogetherTogether) {
   const auto difference_cov = [](double sigma_m) {
-    Scene scene;
+    LoopScene scene;
     DriftCorrection drift = some_correction();
     drift.cov.topLeftCorner<3, 3>() = sigma_m * sigma_m * Eigen::Matrix3d::Identity();
     correct_drift(scene.t.estimate, 0, drift, scene.shares(0.47, 0.47));
@@ -160,9 +160,9 @@ TEST(Drift, LeavesWhatWasSeenTogetherTogether) {
 
 /// What is left where it was stays as certain; what moves keeps its certainty relative to the camera.
 TEST(Drift, WithoutUncertaintyTurnsTheCovariance) {
-  Scene before, after;
+  LoopScene before, after;
   correct_drift(after.t.estimate, 0, some_correction(), after.shares(1, 0));
-  const auto variance = [](const Scene& s, std::size_t i) {
+  const auto variance = [](const LoopScene& s, std::size_t i) {
     return s.t.estimate.belief.covariance(s.t.landmark(s.ids[i]).block);
   };
   EXPECT_LT((variance(before, 1) - variance(after, 1)).norm(), 1e-12);

@@ -19,7 +19,7 @@ constexpr int patch_size_px = 11;
 constexpr double step = 0.1;
 
 /// A wall through `point`, tilted by slopes about the plane that faces the first camera.
-struct Wall {
+struct PatchWall {
   Eigen::Vector3d normal;
   Pattern pattern{3, 40};
   Eigen::Vector3d right = normal.cross(Eigen::Vector3d::UnitY()).normalized(), down = normal.cross(right);
@@ -54,7 +54,7 @@ class PatchPlanes : public ::testing::TestWithParam<std::pair<double, double>> {
   Camera camera = PinholeCamera{};
   Eigen::Vector2d pixel{159.5, 119.5};
   PatchView view;
-  Wall wall{plane().normal(truth)};
+  PatchWall wall{plane().normal(truth)};
 
   static PatchPlane plane() {
     PatchPlane facing;

@@ -12,12 +12,12 @@ namespace {
 using namespace synthetic;
 
 /// Landmarks in the volume that the camera sees, and their pixels with noise.
-struct Scene {
+struct HypothesesScene {
   CameraState truth;
   std::vector<PointMatch> matches;
   RandomStream random;
 
-  Scene(std::uint64_t seed, int count, double sigma_px = 0.5)
+  HypothesesScene(std::uint64_t seed, int count, double sigma_px = 0.5)
       : truth(camera_at({0.3, -0.2, 1.1}, 0.7, {0.1, -0.2, 0.3})), random(seed, "scene") {
     for (int i = 0; i < count; ++i) {
       const Eigen::Vector2d pixel(random.uniform(10, 310), random.uniform(10, 230));
@@ -41,7 +41,7 @@ struct Scene {
 
 TEST(PoseHypotheses, FindsThePoseAmongHalfFalseMatches) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Scene scene(seed, 30);
+    HypothesesScene scene(seed, 30);
     scene.falsify(15);
     RandomStream random(seed, "ransac");
     const auto poses = find_poses(scene.matches, camera, {}, 0.5, random);
@@ -60,7 +60,7 @@ TEST(PoseHypotheses, FindsThePoseByAlikeAndDistinctiveMatches) {
   int found = 0;
   constexpr int seeds = 20;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    Scene scene(seed, 100);
+    HypothesesScene scene(seed, 100);
     for (int i = 0; i < 100; ++i) {
       PointMatch& match = scene.matches[static_cast<std::size_t>(i)];
       const bool is_right = i < 50 && i % 5 == 0;
@@ -76,7 +76,7 @@ TEST(PoseHypotheses, FindsThePoseByAlikeAndDistinctiveMatches) {
 
 TEST(PoseHypotheses, ExplainsFewOfRandomMatches) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Scene scene(seed, 30);
+    HypothesesScene scene(seed, 30);
     scene.falsify(30);
     RandomStream random(seed, "ransac");
     for (const PoseHypothesis& pose : find_poses(scene.matches, camera, {}, 0.5, random))
@@ -85,7 +85,7 @@ TEST(PoseHypotheses, ExplainsFewOfRandomMatches) {
 }
 
 TEST(PoseHypotheses, AreTheSameForTheSameSeed) {
-  Scene scene(5, 30);
+  HypothesesScene scene(5, 30);
   scene.falsify(20);
   RandomStream one(3, "ransac"), other(3, "ransac");
   const auto a = find_poses(scene.matches, camera, {}, 0.5, one),
@@ -95,7 +95,7 @@ TEST(PoseHypotheses, AreTheSameForTheSameSeed) {
 }
 
 TEST(PoseHypotheses, CountLandmarksAndPixelsOnce) {
-  Scene scene(7, 6);
+  HypothesesScene scene(7, 6);
   const std::vector<PointMatch> six = scene.matches;
   for (int copy = 0; copy < 5; ++copy) scene.matches.insert(scene.matches.end(), six.begin(), six.end());
   RandomStream random(1, "ransac");
@@ -104,7 +104,7 @@ TEST(PoseHypotheses, CountLandmarksAndPixelsOnce) {
 }
 
 TEST(PoseHypotheses, NoneFromMatchesThatTellOfOppositeDirections) {
-  Scene scene(9, 12);
+  HypothesesScene scene(9, 12);
   for (int i = 0; i < 12; ++i)
     scene.matches[static_cast<std::size_t>(i)].expected = camera_at(
         scene.truth.head<3>(), 2 * M_PI / 3 * (i % 6));  // at most two agree with each other's direction

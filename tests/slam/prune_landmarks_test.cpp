@@ -156,8 +156,9 @@ TEST(LandmarkPruning, DoesNotCountScansThatMatchNothing) {
   const int matched_before = e.last.matched;
   drive.step(estimator, e, s);
   ASSERT_GT(matched_before, 0);
-  if (e.last.matched == 0)
+  if (e.last.matched == 0) {
     for (const auto& [id, expected] : before) EXPECT_EQ(e.landmarks.at(id).expected_scans, expected);
+  }
 }
 
 TEST(LandmarkPruning, LeavesAloneWhatHasAnIdentity) {

@@ -19,14 +19,14 @@ std::vector<KeyframeMatch> matches_from(const CameraState& from,
 }
 
 /// Tracks 30 points of unknown depth from the first camera, then has a wrong pose where the second is.
-struct Scene {
+struct RenewedMapScene {
   Wall wall{3};
   Tracking t{first, 1e-8 * CameraCov::Identity()};
   std::map<std::int64_t, Eigen::Vector3d> truth;
   Keyframes keyframes;
   std::int64_t late = -1;  ///< began in no keyframe
 
-  Scene() {
+  RenewedMapScene() {
     const Image image = wall.seen_from(first);
     RandomStream random(1, "renew");
     keyframes.start(first, Eigen::Matrix<double, 6, 6>::Zero(), 0);
@@ -58,7 +58,7 @@ struct Scene {
 };
 
 TEST(RenewMap, TakesPosesAndDepthsOfTheKeyframes) {
-  Scene scene;
+  RenewedMapScene scene;
   const CameraState x = scene.t.estimate.belief.mean(scene.t.camera_block());
   const Eigen::Vector3d shift = x.head<3>() - first.head<3>(),
                         true_shift = second.head<3>() - first.head<3>();
@@ -73,7 +73,7 @@ TEST(RenewMap, TakesPosesAndDepthsOfTheKeyframes) {
 }
 
 TEST(RenewMap, RemovesLandmarksThatBeganLater) {
-  Scene scene;
+  RenewedMapScene scene;
   EXPECT_FALSE(scene.t.estimate.landmarks.contains(scene.late));
   EXPECT_FALSE(scene.t.tracked.features.contains(scene.late));
   EXPECT_EQ(scene.t.tracked.features.size(), scene.truth.size());
@@ -81,7 +81,7 @@ TEST(RenewMap, RemovesLandmarksThatBeganLater) {
 
 /// The first view is the world; the scale is not known better than the prior of the depths lets.
 TEST(RenewMap, KnowsAsMuchAsTwoViewsTell) {
-  Scene scene;
+  RenewedMapScene scene;
   const Eigen::MatrixXd P = scene.t.estimate.belief.dense_covariance();
   EXPECT_GT(P.ldlt().vectorD().minCoeff(), 0);
   const Eigen::MatrixXd camera_cov = scene.t.estimate.belief.covariance(scene.t.camera_block());

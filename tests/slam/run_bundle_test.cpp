@@ -14,7 +14,7 @@
 namespace incognita {
 namespace {
 
-const Camera camera{WideAngleCamera{}};
+const Camera run_camera{WideAngleCamera{}};
 constexpr int views = 12, landmarks = 40;
 constexpr double noise_px = 0.05;
 
@@ -35,8 +35,8 @@ struct DriftingRun {
       drifted.world_from_camera = quaternion_exp<double>(0.002 * k * Eigen::Vector3d(0.5, 1, 0.2));
       matches.views.push_back(drifted);
       for (int i = 0; i < landmarks; ++i) {
-        const auto pixel = camera.project(points[static_cast<std::size_t>(i)] - truth.back().position);
-        if (!pixel || !camera.contains(pixel->pixel, 0)) continue;
+        const auto pixel = run_camera.project(points[static_cast<std::size_t>(i)] - truth.back().position);
+        if (!pixel || !run_camera.contains(pixel->pixel, 0)) continue;
         matches.pixels[i].emplace_back(
             k, pixel->pixel + noise_px * Eigen::Vector2d(random.normal(), random.normal()));
       }
@@ -58,12 +58,12 @@ struct DriftingRun {
 };
 
 std::vector<BundleView> adjusted(const RunMatches& matches) {
-  Bundle bundle = bundle_of(matches, camera, noise_px);
+  Bundle bundle = bundle_of(matches, run_camera, noise_px);
   BundleEquations equations;
   AdjustmentSettings settings;
   settings.max_iterations = 100;
-  EXPECT_NE(adjust(bundle, camera, settings, equations).outcome, AdjustmentReport::Outcome::refused);
-  std::vector<double> residuals = residuals_px(bundle, camera);
+  EXPECT_NE(adjust(bundle, run_camera, settings, equations).outcome, AdjustmentReport::Outcome::refused);
+  std::vector<double> residuals = residuals_px(bundle, run_camera);
   EXPECT_LT(*std::ranges::max_element(residuals), 5 * noise_px);
   return bundle.views;
 }
@@ -88,7 +88,7 @@ TEST(RunBundle, HasLandmarksOfThreeMatchesWhereTheirRaysIntersect) {
   run.matches.views = run.truth;
   run.matches.pixels[0].resize(2);
   run.matches.pixels[1].resize(3);
-  const Bundle bundle = bundle_of(run.matches, camera, noise_px);
+  const Bundle bundle = bundle_of(run.matches, run_camera, noise_px);
   EXPECT_EQ(bundle.points.size(), landmarks - 1u);
   int near = 0;
   for (std::size_t i = 0; i < bundle.points.size(); ++i) {
@@ -103,8 +103,9 @@ TEST(RunBundle, HasLandmarksOfThreeMatchesWhereTheirRaysIntersect) {
 TEST(RunBundle, GivesLandmarksWithoutParallaxTheDepthOfTheOthers) {
   DriftingRun run(1);
   run.matches.views = run.truth;
-  for (auto& [view, pixel] : run.matches.pixels[3]) pixel = camera.project(Eigen::Vector3d(0, 0, 1))->pixel;
-  const Bundle bundle = bundle_of(run.matches, camera, noise_px);
+  for (auto& [view, pixel] : run.matches.pixels[3])
+    pixel = run_camera.project(Eigen::Vector3d(0, 0, 1))->pixel;
+  const Bundle bundle = bundle_of(run.matches, run_camera, noise_px);
   EXPECT_GT(1 / bundle.points[3].value[2], 1.5);
   EXPECT_LT(1 / bundle.points[3].value[2], 3);
 }

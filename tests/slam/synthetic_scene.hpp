@@ -36,6 +36,8 @@ inline CameraState camera_at(const Eigen::Vector3d& position, double heading_rad
   return x;
 }
 
+inline const CameraState origin = camera_at({0, 0, 0});
+
 template <class State, class Error>
 State plus(const Chart& chart, State x, const Error& error) {
   chart.plus({x.data(), static_cast<std::size_t>(x.size())},

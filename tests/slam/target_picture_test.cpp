@@ -8,7 +8,7 @@
 namespace incognita {
 namespace {
 
-const Camera wide(WideAngleCamera{.kd1 = 9e-6});
+const Camera wide_camera(WideAngleCamera{.kd1 = 9e-6});
 
 /// 0.3 m wide, 0.2 m high, on the wall x = 0, facing -x; of three greys, so that it is like no mirror of
 /// itself.
@@ -38,7 +38,7 @@ Image seen_from(const TargetPose& pose, const Target& target) {
   Image image(320, 240, 90);
   for (int v = 0; v < 240; ++v)
     for (int u = 0; u < 320; ++u) {
-      const auto ray = wide.unproject({u, v});
+      const auto ray = wide_camera.unproject({u, v});
       if (!ray || (R * *ray).x() < 1e-3) continue;
       const Eigen::Vector3d d = R * *ray, at = pose.position - d * pose.position.x() / d.x();
       const double pu = (at.y() - world_from_px(1, 2)) / world_from_px(1, 0),
@@ -50,7 +50,7 @@ Image seen_from(const TargetPose& pose, const Target& target) {
 }
 
 double similarity(const Image& image, const TargetPose& pose) {
-  return correlation_with_picture(with_picture(), wide, image, pose);
+  return correlation_with_picture(with_picture(), wide_camera, image, pose);
 }
 
 TEST(TargetPicture, IsRecognizedFromItsPoseAndFromNoOther) {
@@ -68,7 +68,8 @@ TEST(TargetPicture, IsNotWhatIsHardlyInView) {
   EXPECT_EQ(similarity(image, pose_at({-0.6, 2, 1})), -1) << "beside the image";
   EXPECT_EQ(similarity(image, pose_at({0.6, 0, 1})), -1) << "behind";
   EXPECT_EQ(similarity(Image(320, 240, 90), pose_at({-0.6, 0, 1})), -1) << "of one grey";
-  EXPECT_THROW(correlation_with_picture(Target{}, wide, image, pose_at({-0.6, 0, 1})), std::invalid_argument);
+  EXPECT_THROW(correlation_with_picture(Target{}, wide_camera, image, pose_at({-0.6, 0, 1})),
+               std::invalid_argument);
 }
 
 /// Light and contrast of the room are not those of the picture.

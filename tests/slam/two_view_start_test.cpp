@@ -11,7 +11,7 @@
 namespace incognita::synthetic {
 namespace {
 
-const CameraState first = camera_at({0, 0, 1});
+const CameraState first_camera = camera_at({0, 0, 1});
 
 struct Motion {
   const char* name;
@@ -43,14 +43,15 @@ Bundle wrong_bundle(const Motion& motion, int steps, double noise_px, int outlie
                     const Eigen::Vector3d& detour = {0, 0, 0}) {
   RandomStream random(5, "noise");
   Bundle bundle;
-  for (int k = 0; k <= steps; ++k) bundle.views.push_back({first.head<3>(), first.segment<4>(3), k == 0});
+  for (int k = 0; k <= steps; ++k)
+    bundle.views.push_back({first_camera.head<3>(), first_camera.segment<4>(3), k == 0});
   for (const Eigen::Vector3d& at : scattered_points(60)) {
     BundlePoint point;
     point.kind = BundlePoint::Kind::inverse_depth;
     point.host = 0;
-    point.initial_axes = first.segment<4>(3);
+    point.initial_axes = first_camera.segment<4>(3);
     point.prior_inverse_depth = point.sigma_prior_inverse_depth = 0.5;
-    const auto ray = camera.unproject(pixel_of(first, at));
+    const auto ray = camera.unproject(pixel_of(first_camera, at));
     point.value << ray->x(), ray->y(), 0.5;
     const int index = static_cast<int>(bundle.points.size());
     for (int k = 0; k <= steps; ++k) {
@@ -66,19 +67,20 @@ Bundle wrong_bundle(const Motion& motion, int steps, double noise_px, int outlie
 
 TEST(RelativePose, IsThatOfTheRays) {
   for (const Motion& motion : motions) {
-    const CameraState second = moved(motion, 1);
+    const CameraState second_camera = moved(motion, 1);
     std::vector<Eigen::Vector3d> a, b;
     for (const Eigen::Vector3d& at : scattered_points(40)) {
-      a.push_back(*camera.unproject(pixel_of(first, at)));
-      b.push_back(*camera.unproject(pixel_of(second, at)));
+      a.push_back(*camera.unproject(pixel_of(first_camera, at)));
+      b.push_back(*camera.unproject(pixel_of(second_camera, at)));
     }
     const auto pose = relative_pose(a, b, 1e-3);
     ASSERT_TRUE(pose) << motion.name;
-    const Eigen::Matrix3d world_from_first = rotation_matrix<double>(free_camera::orientation(first));
-    const Eigen::Vector3d shift = world_from_first.transpose() * (second.head<3>() - first.head<3>());
+    const Eigen::Matrix3d world_from_first = rotation_matrix<double>(free_camera::orientation(first_camera));
+    const Eigen::Vector3d shift =
+        world_from_first.transpose() * (second_camera.head<3>() - first_camera.head<3>());
     EXPECT_GT(pose->direction.dot(shift.normalized()), 1 - 1e-6) << motion.name;
     const Eigen::Matrix3d turn =
-        world_from_first.transpose() * rotation_matrix<double>(free_camera::orientation(second));
+        world_from_first.transpose() * rotation_matrix<double>(free_camera::orientation(second_camera));
     EXPECT_TRUE(rotation_matrix<double>(pose->first_from_second).isApprox(turn, 1e-5)) << motion.name;
   }
 }
@@ -89,7 +91,7 @@ TEST(RelativePose, NeedsEnoughRays) {
 }
 
 void expect_last_view(const Bundle& bundle, const Motion& motion, double direction_rad, double turn_rad) {
-  const Eigen::Vector3d shift = bundle.views.back().position - Eigen::Vector3d(first.head<3>());
+  const Eigen::Vector3d shift = bundle.views.back().position - Eigen::Vector3d(first_camera.head<3>());
   EXPECT_GT(shift.normalized().dot(motion.shift.normalized()), std::cos(direction_rad)) << motion.name;
   const CameraState truth = moved(motion, 1);
   const Eigen::Vector4d error = quaternion_product<double>(
@@ -121,11 +123,12 @@ TEST(TwoViewStart, FindsTheViewsBetweenWhereTheCameraMovedInABend) {
   for (const int outliers : {0, 6, 12}) {
     const auto start = two_view_start(wrong_bundle(motions[1], 4, 0.1, outliers, detour), camera);
     ASSERT_TRUE(start) << outliers;
-    const Eigen::Vector3d origin = first.head<3>();
-    const double scale = (start->views.back().position - origin).norm() / motions[1].shift.norm();
+    const Eigen::Vector3d origin_of_views = first_camera.head<3>();
+    const double scale = (start->views.back().position - origin_of_views).norm() / motions[1].shift.norm();
     for (int k = 1; k < 4; ++k) {
-      const Eigen::Vector3d truth = moved(motions[1], k / 4.0, detour).head<3>() - first.head<3>();
-      const Eigen::Vector3d found = (start->views[static_cast<std::size_t>(k)].position - origin) / scale;
+      const Eigen::Vector3d truth = moved(motions[1], k / 4.0, detour).head<3>() - first_camera.head<3>();
+      const Eigen::Vector3d found =
+          (start->views[static_cast<std::size_t>(k)].position - origin_of_views) / scale;
       EXPECT_LT((found - truth).norm(), 0.02) << k << ", " << outliers << " outliers";
     }
   }

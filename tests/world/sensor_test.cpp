@@ -11,7 +11,7 @@ using namespace incognita;
 
 namespace {
 
-const std::shared_ptr<const Room>& room() {
+const std::shared_ptr<const Room>& sensed_room() {
   static const auto shared = std::make_shared<const Room>(RoomSettings{}, 1);
   return shared;
 }
@@ -70,10 +70,10 @@ TEST(RoomCamera, IsTheRenderPlusNoise) {
   RoomSettings quiet;
   quiet.sigma_image_gray = 0;
   Image expected;
-  render(*room(), RayTable{Camera(model)}, {1.6, 0, 1.3}, level_gaze(0), expected);
-  EXPECT_EQ(*RoomCamera(room(), model, quiet, 1).image_from(start(), Tick{0, 0, 0}), expected);
+  render(*sensed_room(), RayTable{Camera(model)}, {1.6, 0, 1.3}, level_gaze(0), expected);
+  EXPECT_EQ(*RoomCamera(sensed_room(), model, quiet, 1).image_from(start(), Tick{0, 0, 0}), expected);
 
-  const Image noisy = *RoomCamera(room(), model, RoomSettings{}, 1).image_from(start(), Tick{0, 0, 0});
+  const Image noisy = *RoomCamera(sensed_room(), model, RoomSettings{}, 1).image_from(start(), Tick{0, 0, 0});
   double squares = 0;
   int count = 0;
   for (int i = 0; i < 320 * 240; ++i)
@@ -86,7 +86,7 @@ TEST(RoomCamera, IsTheRenderPlusNoise) {
 
 TEST(RoomCamera, SameSeedSameBytesAndAnotherSeedOthers) {
   const auto bytes = [](std::uint64_t seed) {
-    RoomCamera camera(room(), WideAngleCamera{}, RoomSettings{}, seed);
+    RoomCamera camera(sensed_room(), WideAngleCamera{}, RoomSettings{}, seed);
     camera.image_from(start(), Tick{0, 0, 0});
     return *camera.image_from(start(), Tick{1, 0.1, 0.1});
   };
@@ -97,7 +97,7 @@ TEST(RoomCamera, SameSeedSameBytesAndAnotherSeedOthers) {
 TEST(RoomCamera, ACoveredLensIsDarkFromThenOn) {
   RoomSettings s;
   s.cover_lens_from_s = 2;
-  RoomCamera camera(room(), WideAngleCamera{}, s, 1);
+  RoomCamera camera(sensed_room(), WideAngleCamera{}, s, 1);
   EXPECT_GT(moments(*camera.image_from(start(), Tick{59, 59 / 30.0, 1 / 30.0})).mean, 60);
   for (const double t : {2.0, 2.5, 100.0}) {
     const Moments m = moments(*camera.image_from(start(), Tick{60, t, 1 / 30.0}));
@@ -108,7 +108,7 @@ TEST(RoomCamera, ACoveredLensIsDarkFromThenOn) {
 
 TEST(RoomCamera, NeedsTheTruth) {
   SensorSet sensors(
-      sensors_of_body(std::make_unique<RoomCamera>(room(), WideAngleCamera{}, RoomSettings{}, 1)));
+      sensors_of_body(std::make_unique<RoomCamera>(sensed_room(), WideAngleCamera{}, RoomSettings{}, 1)));
   EXPECT_THROW(sensors.measure(std::nullopt, Tick{0, 0, 0}), std::invalid_argument);
   EXPECT_THROW(sensors.measure(Truth{{BodyTruth{}}}, Tick{0, 0, 0}), std::invalid_argument);
 }
@@ -119,8 +119,8 @@ TEST(SensorSet, ABodyMayCarrySeveralCameras) {
   quiet.sigma_image_gray = 0;
   WideAngleCamera first, second;
   second.u0 += 1;
-  SensorSet sensors(sensors_of_body(std::make_unique<RoomCamera>(room(), first, quiet, 1),
-                                    std::make_unique<RoomCamera>(room(), second, quiet, 1)));
+  SensorSet sensors(sensors_of_body(std::make_unique<RoomCamera>(sensed_room(), first, quiet, 1),
+                                    std::make_unique<RoomCamera>(sensed_room(), second, quiet, 1)));
   const Observation observation = sensors.measure(Truth{{BodyTruth{start()}}}, Tick{0, 0, 0});
   ASSERT_EQ(observation.bodies.size(), 1u);
   ASSERT_EQ(observation.bodies[0].images.size(), 2u);

@@ -11,12 +11,13 @@
 namespace incognita {
 namespace {
 
-using Camera = FreeCameraMotion::State<double>;
+using FreeState = FreeCameraMotion::State<double>;
 
-const TerrainVehicle vehicle{Waves{0, {{0.1, 3, 0, 0}, {0.1, 3, 1.5707963267948966, 1.5707963267948966}}}};
+const TerrainVehicle ground_vehicle{
+    Waves{0, {{0.1, 3, 0, 0}, {0.1, 3, 1.5707963267948966, 1.5707963267948966}}}};
 
 SimulatedBody on_waves() {
-  SimulatedBody c{vehicle, {}, "carrier"};
+  SimulatedBody c{ground_vehicle, {}, "carrier"};
   c.plant.start = SmallVector::Zero(3);
   c.plant.start << 0.4, -0.3, 0.7;
   c.plant.start_sigmas = SmallVector::Zero(3);
@@ -44,11 +45,11 @@ Tick tick(int frame, double t, double dt) {
 TEST(CarriedCamera, VelocitiesAreDerivativesOfThePose) {
   SimulatedWorld world(on_waves(), 1);
   constexpr double dt = 1e-4;
-  Camera before = world.move({}, tick(0, 0, 0))->bodies[0].state;
+  FreeState before = world.move({}, tick(0, 0, 0))->bodies[0].state;
   for (int i = 1; i < 50; ++i) world.move(drive(0.6, 0.5), tick(i, 0.1 * i, 0.1));
   before = world.move(drive(0.6, 0.5), tick(50, 5, dt))->bodies[0].state;
   const Truth middle = *world.move(drive(0.6, 0.5), tick(51, 5 + dt, dt));
-  const Camera after = world.move(drive(0.6, 0.5), tick(52, 5 + 2 * dt, dt))->bodies[0].state;
+  const FreeState after = world.move(drive(0.6, 0.5), tick(52, 5 + 2 * dt, dt))->bodies[0].state;
   const Eigen::Vector3d velocity = (after.head<3>() - before.head<3>()) / (2 * dt);
   EXPECT_NEAR((velocity - middle.bodies[0].state.segment<3>(7)).norm(), 0, 1e-6);
   const Eigen::Vector4d turned = quaternion_product<double>(
@@ -63,11 +64,12 @@ TEST(CarriedCamera, IsTheMountsDistanceFromTheGroundUnderTheAxle) {
   const SimulatedBody carrier = on_waves();
   SimulatedWorld world(carrier, 1);
   for (int i = 0; i < 100; ++i) {
-    const Camera camera = world.move(drive(-0.5, 0.3), tick(i, 0.1 * i, i == 0 ? 0 : 0.1))->bodies[0].state;
+    const FreeState camera =
+        world.move(drive(-0.5, 0.3), tick(i, 0.1 * i, i == 0 ? 0 : 0.1))->bodies[0].state;
     const Eigen::Matrix3d world_from_body = rotation_matrix<double>(Eigen::Vector4d(camera.segment<4>(3))) *
                                             carrier.mount->body_from_camera().transpose();
     const Eigen::Vector3d axle = camera.head<3>() - world_from_body * carrier.mount->lever();
-    const GroundPoint<double> ground = vehicle.terrain.at<double>(axle.x(), axle.y());
+    const GroundPoint<double> ground = ground_vehicle.terrain.at<double>(axle.x(), axle.y());
     EXPECT_NEAR(axle.z(), ground.height, 1e-9);
     const Eigen::Vector3d normal = Eigen::Vector3d(-ground.x, -ground.y, 1).normalized();
     EXPECT_NEAR(world_from_body.col(2).dot(normal), 1, 1e-9) << "upright on the ground";
@@ -76,7 +78,7 @@ TEST(CarriedCamera, IsTheMountsDistanceFromTheGroundUnderTheAxle) {
 
 TEST(CarriedCamera, StandsWithoutACommandAndRespectsTheLimits) {
   SimulatedWorld world(on_waves(), 1);
-  const Camera first = world.move({}, tick(0, 0, 0))->bodies[0].state;
+  const FreeState first = world.move({}, tick(0, 0, 0))->bodies[0].state;
   EXPECT_EQ(world.move({}, tick(1, 0.1, 0.1))->bodies[0].state, first);
   EXPECT_EQ(world.move(drive(7, -7), tick(2, 0.2, 0.1))->bodies[0].wheels, Eigen::Vector2d(1, -1));
 }
@@ -86,7 +88,7 @@ TEST(SimulatedWorld, RefusesAMountOrAnOperatorThatDoesNotFit) {
   mounted.motion = DifferentialDrive{};
   EXPECT_THROW(SimulatedWorld(mounted, 1), std::invalid_argument);
   SimulatedBody held = on_waves();
-  const OperatorMotion rest = [](const Camera&, const Segment&, const Heading&, double) {
+  const OperatorMotion rest = [](const FreeState&, const Segment&, const Heading&, double) {
     return FreeCameraMotion::Input<double>(FreeCameraMotion::Input<double>::Zero());
   };
   held.actuator.emplace(OperatorModel({}, 1, "person"), rest);

@@ -18,6 +18,7 @@
 #include "incognita/app/campaign/campaign_workers.hpp"
 #include "incognita/app/campaign/requested_measures.hpp"
 #include "incognita/app/console/folder_lock.hpp"
+#include "incognita/app/console/interrupt.hpp"
 #include "incognita/app/console/print_message.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/messages/errors.hpp"
@@ -37,13 +38,8 @@ struct Options {
   bool json = false, keep_runs = false, table_alone = false;
 };
 
-volatile std::sig_atomic_t interrupted = 0;
-void interrupt(int) { interrupted = 1; }
-
 void handle_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
-  }
+  catch_interrupts();
   std::signal(SIGXFSZ, SIG_IGN);  // makes a full disk a reported error
   std::signal(SIGPIPE, SIG_IGN);
 }
@@ -111,7 +107,7 @@ std::size_t make_runs(Ranks& ranks, const CampaignPlan& plan, const CampaignFold
     problem = requested.problem();
     return problem.empty();
   };
-  lead.stopping = [] { return interrupted != 0; };
+  lead.stopping = [] { return interrupted(); };
   problem = requested.problem();
   if (problem.empty()) lead_workers(ranks, lead);
   if (!problem.empty()) {
@@ -178,7 +174,7 @@ int lead(Ranks& ranks, const Options& options, const fs::path& out) {
   folder.tidy();
   if (left > 0) {
     print_message("incognita: {}{} runs are missing; the same command continues\n",
-                  interrupted ? "interrupted: " : "", left);
+                  interrupted() ? "interrupted: " : "", left);
     return 1;
   }
   if (!options.shard) return report_campaign(plan, folder, {options.measures, options.json});

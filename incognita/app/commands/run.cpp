@@ -18,6 +18,7 @@
 
 #include "incognita/app/commands/page_options.hpp"
 #include "incognita/app/commands/recorder_sink.hpp"
+#include "incognita/app/console/interrupt.hpp"
 #include "incognita/app/console/print_message.hpp"
 #include "incognita/app/loop/intervention_log.hpp"
 #include "incognita/app/loop/scenario_run.hpp"
@@ -30,7 +31,7 @@
 namespace incognita {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string scenario = "room";
   std::optional<std::string> out;
   std::vector<std::string> sets;
@@ -47,18 +48,13 @@ struct Options {
 
 constexpr std::size_t largest_settings = std::size_t{1} << 20;
 
-volatile std::sig_atomic_t interrupted = 0;
-void interrupt(int) { interrupted = 1; }
-
-/// A signal ends the loop after the current frame; files are closed and figures drawn, however often it is sent.
+/// An interrupt ends the loop after the current frame; files are closed and figures drawn.
 void handle_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
-  }
+  catch_interrupts();
   std::signal(SIGXFSZ, SIG_IGN);  // makes a full disk a reported error
 }
 
-LoadedScenario load(const Options& options, const std::vector<std::string>& further = {}) {
+LoadedScenario load(const RunOptions& options, const std::vector<std::string>& further = {}) {
   std::vector<std::string> sets = options.sets;
   sets.insert(sets.end(), further.begin(), further.end());
   std::vector<Flag> flags;
@@ -73,7 +69,7 @@ void wait_until(std::chrono::steady_clock::time_point start, double t_s) {
   for (;;) {
     const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - start;
     const double left_s = t_s - waited.count();
-    if (interrupted || left_s <= 0) return;
+    if (interrupted() || left_s <= 0) return;
     std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, nap_s)));
   }
 }
@@ -88,7 +84,7 @@ void refuse_pictures_without_images(const char* option, const Scenario& scenario
 /// Repeats the interventions of an earlier run at their ticks.
 class LoggedInterventions final : public InterventionSource {
  public:
-  LoggedInterventions(const std::string& run, const Options& options)
+  LoggedInterventions(const std::string& run, const RunOptions& options)
       : log_(read_intervention_log(std::filesystem::path(run))), options_(options) {}
 
   std::vector<Intervention> due(const Tick& tick) override {
@@ -107,11 +103,11 @@ class LoggedInterventions final : public InterventionSource {
 
  private:
   std::vector<LoggedIntervention> log_;
-  Options options_;
+  RunOptions options_;
   std::size_t next_ = 0;
 };
 
-void check(const Options& options) {
+void check(const RunOptions& options) {
   if (options.scenario.empty())
     throw InputError("the scenario is empty; a file or the name of a built-in one is required");
   if (options.out && options.out->empty()) throw InputError("--out: is empty; a folder is required");
@@ -123,7 +119,7 @@ void check(const Options& options) {
 }
 
 /// The scenario; without one, with the commands of an earlier run, the settings and the name of that run.
-LoadedScenario load_or_repeat(Options& options) {
+LoadedScenario load_or_repeat(RunOptions& options) {
   if (!options.replay_commands || options.scenario_given) return load(options);
   const std::filesystem::path settings = std::filesystem::path(*options.replay_commands) / "effective.toml";
   if (!file_exists(settings))
@@ -138,7 +134,7 @@ LoadedScenario load_or_repeat(Options& options) {
 }
 
 /// One run from its start to its end. `page`: null without one.
-RunOutcome run_once(const Options& options, const LoadedScenario& loaded, const std::string& out,
+RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, const std::string& out,
                     LivePage* page) {
   for (const std::string& line : loaded.overrides) print_message("{}\n", line);
   if (options.save_frames) refuse_pictures_without_images("--save-frames", loaded.scenario);
@@ -154,7 +150,7 @@ RunOutcome run_once(const Options& options, const LoadedScenario& loaded, const 
     if (!first_t) first_t = tick.t, start = std::chrono::steady_clock::now();
     if (page) return page->control().wait_for(tick);
     if (options.realtime) wait_until(start, tick.t - *first_t);
-    return !interrupted;
+    return !interrupted();
   };
   if (logged) callbacks.interventions = &*logged;
   if (page) {
@@ -192,7 +188,7 @@ bool same_folder(const std::filesystem::path& a, const std::filesystem::path& b)
 }
 
 /// Never that of the run whose commands are repeated: its log cannot be had again.
-std::string output_folder(const Options& options, const LoadedScenario& loaded) {
+std::string output_folder(const RunOptions& options, const LoadedScenario& loaded) {
   const std::string out = options.out.value_or("out/" + loaded.name);
   if (!options.replay_commands || !same_folder(out, *options.replay_commands)) return out;
   if (!options.out) return out + "-again";
@@ -208,11 +204,11 @@ std::string next_folder(const std::string& out, int run) {
 }
 
 /// Runs until the program is interrupted; each run after the first is started from the page.
-int run_with_page(Options options) {
+int run_with_page(RunOptions options) {
   handle_signals();
   LoadedScenario loaded = load(options);
   const std::string out = options.out.value_or("out/" + loaded.name);
-  LivePage page(server_settings(options.page), options.scenario, [] { return interrupted != 0; });
+  LivePage page(server_settings(options.page), options.scenario, [] { return interrupted(); });
   print_message("the page is at {}\n{}", page.address(), hint_for_other_machines(options.page));
   open_in_browser(page.address());
   int code = 0;
@@ -226,7 +222,7 @@ int run_with_page(Options options) {
       const RunOutcome outcome = run_once(options, loaded, folder, &page);
       code = exit_code(outcome);
       page.end(outcome);
-      if (!interrupted) print_message("the page stays at {} until Ctrl-C\n", page.address());
+      if (!interrupted()) print_message("the page stays at {} until Ctrl-C\n", page.address());
     } catch (const InputError& error) {
       if (run == 1) throw;
       print_message("incognita: {}\n", error.what());
@@ -240,7 +236,7 @@ int run_with_page(Options options) {
   }
 }
 
-int run(Options options) {
+int run(RunOptions options) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed output pipe must not end the run
   check(options);
   if (!options.view.empty()) {
@@ -255,7 +251,7 @@ int run(Options options) {
 
 CLI::App* add_run(CLI::App& app, std::function<int()>& job) {
   CLI::App* command = app.add_subcommand("run", "Run the loop from a scenario file");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   CLI::Option* const scenario =
       command->add_option("scenario", options->scenario, "Scenario file, or the name of a built-in one")
           ->capture_default_str();

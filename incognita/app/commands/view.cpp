@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "incognita/app/commands/page_options.hpp"
+#include "incognita/app/console/interrupt.hpp"
 #include "incognita/app/console/print_message.hpp"
 #include "incognita/app/view/laboratory_page.hpp"
 #include "incognita/app/view/replay_page.hpp"
@@ -16,24 +17,20 @@
 namespace incognita {
 namespace {
 
-struct Options {
+struct ViewOptions {
   std::vector<std::string> runs;
   PageOptions page;
 };
 
-volatile std::sig_atomic_t interrupted = 0;
-void interrupt(int) { interrupted = 1; }
-
 void serve_until_interrupted(const std::string& address, const PageOptions& options) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    if (std::signal(signal, interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);  // nohup
+  catch_interrupts();
   std::signal(SIGPIPE, SIG_IGN);
   print_message("the page is at {} until Ctrl-C\n{}", address, hint_for_other_machines(options));
   open_in_browser(address);
-  while (!interrupted) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }
 
-int view(const Options& options) {
+int view(const ViewOptions& options) {
   if (options.runs.size() == 1 && is_laboratory(options.runs[0])) {
     const LaboratoryPage page(options.runs[0], server_settings(options.page));
     serve_until_interrupted(page.address(), options.page);
@@ -52,7 +49,7 @@ int view(const Options& options) {
 CLI::App* add_view(CLI::App& app, std::function<int()>& job) {
   CLI::App* command = app.add_subcommand(
       "view", "Show results in the browser: replay one run, compare two, or read claims and campaigns");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ViewOptions>();
   command
       ->add_option("RUN", options->runs,
                    "Run directory; two are compared; or a folder of `reproduce` or `campaign`")

@@ -12,7 +12,7 @@
 namespace incognita {
 namespace {
 
-constexpr std::size_t largest_table = std::size_t{256} << 20;
+constexpr std::size_t largest_number_table = std::size_t{256} << 20;
 constexpr std::string_view blanks = " \t\r,";
 
 std::vector<std::string> split(std::string_view line) {
@@ -47,7 +47,7 @@ double TableLine::number(std::size_t i) const {
 }
 
 std::vector<TableLine> read_table(const std::filesystem::path& file) {
-  const std::string content = read_file(file, largest_table);
+  const std::string content = read_file(file, largest_number_table);
   std::vector<TableLine> lines;
   int number = 0;
   for (std::size_t at = 0; at < content.size();) {

@@ -10,13 +10,13 @@
 namespace incognita {
 namespace {
 
-constexpr double farthest_m = 1e6;
+constexpr double farthest_point_m = 1e6;
 
 double coordinate(const NamedTable& table, std::size_t row, std::size_t column) {
   const double value = table.finite(row, column);
-  if (std::abs(value) <= farthest_m) return value;
+  if (std::abs(value) <= farthest_point_m) return value;
   throw InputError(fmt::format("{}: `{}` is {}, and may be {:g} m at most", table.where(row),
-                               table.columns()[column], value, farthest_m));
+                               table.columns()[column], value, farthest_point_m));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int smallest_px = 9, largest_px = 100;              // per side; larger pictures are reduced
 constexpr double least_apart_px = 4, max_residual_px = 0.25;  // of corners, in the reduced picture
-constexpr double skew = 0.05;  // cosine between pixel sides; relative difference of their lengths
+constexpr double max_skew = 0.05;  // cosine between pixel sides; relative difference of their lengths
 
 /// Means over squares of `side` pixels; incomplete squares at the right and bottom are dropped.
 Image shrunk(const Image& whole, int side) {
@@ -55,7 +55,7 @@ Eigen::Matrix3d world_from(const Eigen::MatrixX2d& px, const std::vector<Target:
   const double wide = world_from_px.col(0).norm(), high = world_from_px.col(1).norm();
   const double cosine = world_from_px.col(0).dot(world_from_px.col(1)) / (wide * high);
   // The negated form also refuses NaN.
-  if (!(std::abs(cosine) < skew && std::abs(wide - high) < skew * wide))
+  if (!(std::abs(cosine) < max_skew && std::abs(wide - high) < max_skew * wide))
     throw std::invalid_argument(fmt::format(
         "must be a frontal view with square pixels; by picture_px a pixel is {:.3g} m wide and {:.3g} m high, with {:.0f} degrees between rows and columns",
         wide, high, std::acos(cosine) * 180 / std::numbers::pi));

@@ -21,8 +21,6 @@ bool is_image_name(const std::filesystem::path& path) {
   return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Begin, without leading zeros, and end of the digits at `at`.
 std::pair<std::size_t, std::size_t> digits(const std::string& name, std::size_t at) {
   std::size_t end = at;

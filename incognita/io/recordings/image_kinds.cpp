@@ -16,8 +16,6 @@
 namespace incognita {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// "frame-000012.color.png" becomes "frame-*.color.png", a valid recording.pattern.
 std::string kind_of(const std::string& name) {
   std::string kind;

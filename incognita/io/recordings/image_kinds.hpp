@@ -8,6 +8,9 @@
 
 namespace incognita {
 
+/// Of ASCII, whatever the locale.
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// Matches as a shell does: `*` for any text, `?` for one character.
 bool fits_pattern(const std::string& pattern, const std::string& name);
 

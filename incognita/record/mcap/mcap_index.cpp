@@ -45,7 +45,7 @@ class Cursor {
   std::uint64_t offset_;  ///< of the record in the file
 };
 
-struct Record {
+struct FoundRecord {
   std::uint64_t offset = 0;
   RecordHead head;
   std::uint64_t content() const { return offset + record_head_bytes; }
@@ -69,9 +69,9 @@ class Window {
   }
 
   /// The record at `offset`, which must end at `end` at the latest.
-  Record record(std::uint64_t offset, std::uint64_t end) {
+  FoundRecord record(std::uint64_t offset, std::uint64_t end) {
     if (offset > end || end - offset < record_head_bytes) throw Damage{offset, "a record is cut off"};
-    const Record found{offset, record_head(read(offset, record_head_bytes))};
+    const FoundRecord found{offset, record_head(read(offset, record_head_bytes))};
     if (found.head.opcode == Opcode{}) throw Damage{offset, "no record begins there"};
     if (found.head.length > end - found.content())
       throw Damage{offset, fmt::format("a record of {} bytes is cut off after {}", found.head.length,
@@ -80,7 +80,7 @@ class Window {
   }
 
   /// The content of a record, which is refused if it is implausibly large.
-  Cursor content(const Record& record, std::uint64_t most_bytes) {
+  Cursor content(const FoundRecord& record, std::uint64_t most_bytes) {
     if (record.head.length > most_bytes)
       throw Damage{record.offset,
                    fmt::format("a record of {} bytes is longer than any of its kind", record.head.length)};
@@ -120,12 +120,12 @@ class Indexer {
 
  private:
   std::optional<std::pair<std::uint64_t, std::uint64_t>> summary_section();
-  void add_channel(const Record& record);
-  void add_message(const Record& record);
-  ChunkPlace chunk_at(const Record& record);
+  void add_channel(const FoundRecord& record);
+  void add_message(const FoundRecord& record);
+  ChunkPlace chunk_at(const FoundRecord& record);
   void read_chunk(const ChunkPlace& chunk);
-  void add_indexed_chunk(const Record& chunk_index, std::uint64_t& previous_end, std::uint64_t data_end);
-  void add_message_index(const Record& record, const ChunkPlace& chunk);
+  void add_indexed_chunk(const FoundRecord& chunk_index, std::uint64_t& previous_end, std::uint64_t data_end);
+  void add_message_index(const FoundRecord& record, const ChunkPlace& chunk);
 
   Window window_;
   std::string path_;
@@ -138,7 +138,7 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> Indexer::summary_section(
   const std::uint64_t closing_bytes = record_head_bytes + footer_bytes + magic.size();
   if (size < 2 * magic.size() + closing_bytes) return std::nullopt;
   const std::uint64_t end = size - closing_bytes;
-  const Record footer = window_.record(end, size);
+  const FoundRecord footer = window_.record(end, size);
   if (footer.head.opcode != Opcode::footer || footer.head.length != footer_bytes) return std::nullopt;
   if (window_.read(footer.end(), magic.size()) != magic) return std::nullopt;
   Cursor fields = window_.content(footer, footer_bytes);
@@ -155,15 +155,15 @@ bool Indexer::read_summary() {
     const auto section = summary_section();
     if (!section) return false;
     const auto [begin, end] = *section;
-    std::vector<Record> chunks;
+    std::vector<FoundRecord> chunks;
     for (std::uint64_t at = begin; at < end;) {
-      const Record record = window_.record(at, end);
+      const FoundRecord record = window_.record(at, end);
       if (record.head.opcode == Opcode::channel) add_channel(record);
       if (record.head.opcode == Opcode::chunk_index) chunks.push_back(record);
       at = record.end();
     }
     std::uint64_t previous_end = magic.size();
-    for (const Record& chunk : chunks) add_indexed_chunk(chunk, previous_end, begin);
+    for (const FoundRecord& chunk : chunks) add_indexed_chunk(chunk, previous_end, begin);
   } catch (const Damage&) {
     return false;
   }
@@ -175,7 +175,7 @@ void Indexer::read_records() {
   std::uint64_t at = magic.size();
   try {
     while (at < window_.file_size()) {
-      const Record record = window_.record(at, window_.file_size());
+      const FoundRecord record = window_.record(at, window_.file_size());
       if (record.head.opcode == Opcode::data_end || record.head.opcode == Opcode::footer) return;
       if (record.head.opcode == Opcode::channel) add_channel(record);
       if (record.head.opcode == Opcode::message) add_message(record);
@@ -187,7 +187,7 @@ void Indexer::read_records() {
   }
 }
 
-void Indexer::add_channel(const Record& record) {
+void Indexer::add_channel(const FoundRecord& record) {
   constexpr std::uint64_t most_bytes = 1 << 20;
   Cursor fields = window_.content(record, most_bytes);
   const auto id = fields.number<std::uint16_t>();
@@ -201,7 +201,7 @@ void Indexer::add_channel(const Record& record) {
   index.topics[id] = topic;
 }
 
-void Indexer::add_message(const Record& record) {
+void Indexer::add_message(const FoundRecord& record) {
   if (record.head.length < message_head_bytes)
     throw Damage{record.offset, "a message is shorter than its fields"};
   Cursor fields(window_.read(record.content(), message_head_bytes), record.offset);
@@ -211,7 +211,7 @@ void Indexer::add_message(const Record& record) {
   index.messages[channel].push_back({fields.number<std::uint64_t>(), record.offset});
 }
 
-ChunkPlace Indexer::chunk_at(const Record& record) {
+ChunkPlace Indexer::chunk_at(const FoundRecord& record) {
   constexpr std::uint64_t head_bytes = 40;  // without the name of the compression
   if (record.head.length < head_bytes) throw Damage{record.offset, "a chunk is shorter than its fields"};
   Cursor fields(window_.read(record.content(), std::min<std::uint64_t>(record.head.length, head_bytes + 32)),
@@ -236,7 +236,7 @@ void Indexer::read_chunk(const ChunkPlace& chunk) {
   if (chunk.crc != 0 && window_.crc(chunk.records, chunk.end) != chunk.crc)
     throw Damage{chunk.records, "the checksum of a chunk is wrong"};
   for (std::uint64_t at = chunk.records; at < chunk.end;) {
-    const Record record = window_.record(at, chunk.end);
+    const FoundRecord record = window_.record(at, chunk.end);
     if (record.head.opcode == Opcode::channel) add_channel(record);
     if (record.head.opcode == Opcode::message) add_message(record);
     at = record.end();
@@ -244,7 +244,7 @@ void Indexer::read_chunk(const ChunkPlace& chunk) {
 }
 
 /// Chunks that overlap are refused: else a small file could name the same messages many times.
-void Indexer::add_indexed_chunk(const Record& chunk_index, std::uint64_t& previous_end,
+void Indexer::add_indexed_chunk(const FoundRecord& chunk_index, std::uint64_t& previous_end,
                                 std::uint64_t data_end) {
   constexpr std::uint64_t times_bytes = 16, places_bytes = 16;
   if (chunk_index.head.length < times_bytes + places_bytes)
@@ -253,13 +253,13 @@ void Indexer::add_indexed_chunk(const Record& chunk_index, std::uint64_t& previo
   const auto offset = fields.number<std::uint64_t>(), length = fields.number<std::uint64_t>();
   if (offset < previous_end || offset > data_end || length > data_end - offset)
     throw Damage{chunk_index.offset, "a chunk is not where the index has it"};
-  const Record record = window_.record(offset, offset + length);
+  const FoundRecord record = window_.record(offset, offset + length);
   if (record.head.opcode != Opcode::chunk || record.end() != offset + length)
     throw Damage{chunk_index.offset, "a chunk is not where the index has it"};
   const ChunkPlace chunk = chunk_at(record);
   std::uint64_t at = chunk.end;
   while (at < data_end) {
-    const Record next = window_.record(at, data_end);
+    const FoundRecord next = window_.record(at, data_end);
     if (next.head.opcode != Opcode::message_index) break;
     add_message_index(next, chunk);
     at = next.end();
@@ -267,7 +267,7 @@ void Indexer::add_indexed_chunk(const Record& chunk_index, std::uint64_t& previo
   previous_end = at;
 }
 
-void Indexer::add_message_index(const Record& record, const ChunkPlace& chunk) {
+void Indexer::add_message_index(const FoundRecord& record, const ChunkPlace& chunk) {
   Cursor fields = window_.content(record, window_.file_size());
   const auto channel = fields.number<std::uint16_t>();
   if (!index.topics.contains(channel)) throw Damage{record.offset, "an index is of no known topic"};

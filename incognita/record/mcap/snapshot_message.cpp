@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "incognita/record/files/image_text.hpp"
+#include "incognita/record/mcap/json_vectors.hpp"
 #include "incognita/record/snapshot/interventions.hpp"
 #include "incognita/record/snapshot/series.hpp"
 
@@ -14,12 +15,6 @@ namespace incognita {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json xyz(const Eigen::Vector3d& v) { return {{"x", v.x()}, {"y", v.y()}, {"z", v.z()}}; }
-
-Json quaternion(const Eigen::Vector4d& wxyz) {
-  return {{"x", wxyz[1]}, {"y", wxyz[2]}, {"z", wxyz[3]}, {"w", wxyz[0]}};
-}
 
 void put(Json& json, const char* key, double value) {
   if (std::isfinite(value)) json[key] = value;

@@ -9,6 +9,7 @@
 
 #include "incognita/math/quaternion.hpp"
 #include "incognita/record/files/image_text.hpp"
+#include "incognita/record/mcap/json_vectors.hpp"
 #include "incognita/record/mcap/message_schemas.hpp"
 #include "incognita/record/snapshot/outcome_color.hpp"
 
@@ -24,12 +25,6 @@ constexpr int line_loop = 2;              // in foxglove.PointsAnnotation
 
 Json stamp(std::uint64_t time_ns) {
   return {{"sec", time_ns / 1'000'000'000}, {"nsec", time_ns % 1'000'000'000}};
-}
-
-Json xyz(const Eigen::Vector3d& v) { return {{"x", v.x()}, {"y", v.y()}, {"z", v.z()}}; }
-
-Json quaternion(const Eigen::Vector4d& wxyz) {
-  return {{"x", wxyz[1]}, {"y", wxyz[2]}, {"z", wxyz[3]}, {"w", wxyz[0]}};
 }
 
 Json pose(const Eigen::Vector3d& position, const Eigen::Vector4d& orientation) {

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "incognita/math/largest_sigma.hpp"
+#include "incognita/math/unknown.hpp"
 
 namespace incognita {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 void append_pose_columns(std::vector<std::string>& columns, const std::string& prefix) {
   for (const char* axis : {"x", "y", "z"}) columns.push_back(prefix + axis + "_m");

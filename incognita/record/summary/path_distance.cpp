@@ -3,16 +3,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "incognita/math/quaternion.hpp"
+#include "incognita/math/unknown.hpp"
 #include "incognita/record/files/quantile.hpp"
 #include "incognita/record/snapshot/series.hpp"
 
 namespace incognita {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 PathDistance of_last_third(const std::vector<double>& all) {
   const std::vector<double> late(all.begin() + static_cast<std::ptrdiff_t>(all.size() * 2 / 3), all.end());

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "incognita/math/unknown.hpp"
 #include "incognita/record/files/quantile.hpp"
 #include "incognita/record/snapshot/series.hpp"
 
@@ -13,8 +13,6 @@ namespace incognita {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::size_t max_text_bytes = 1000;  // per string: the document must fit PaddedFile
 constexpr std::size_t max_warnings = 5;

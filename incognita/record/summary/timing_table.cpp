@@ -1,14 +1,12 @@
 #include "incognita/record/summary/timing_table.hpp"
 
 #include <algorithm>
-#include <limits>
 
+#include "incognita/math/unknown.hpp"
 #include "incognita/record/files/number.hpp"
 
 namespace incognita {
-namespace {
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-}
+namespace {}
 
 void TimingTable::add(const Snapshot& snapshot) {
   const bool more = set_stages(snapshot);

@@ -9,6 +9,7 @@
 #include "incognita/slam/features/map_management.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 #include "incognita/slam/features/search_feature.hpp"
+#include "incognita/vision/corners.hpp"
 
 namespace incognita {
 namespace {
@@ -16,9 +17,6 @@ namespace {
 /// Frames without a match after which a matched landmark counts as re-observed. A new landmark is matched in
 /// every frame and is the only source of information about its depth.
 constexpr int frames_until_away = 15;
-
-/// Two matches nearer than this are of the same corner: patches are wider, so that new landmarks begin farther apart.
-constexpr double same_corner_px = 3;
 
 /// A corner that was mapped again, while its first feature was seen too obliquely or too near to be searched for, would
 /// count its information twice. The anchor remains, or the older landmark.

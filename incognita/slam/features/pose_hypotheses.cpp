@@ -8,10 +8,10 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
+#include "incognita/vision/corners.hpp"
+
 namespace incognita {
 namespace {
-
-constexpr double same_corner_px = 3;
 
 double turn_between(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
   return 2 * std::acos(std::min(1.0, std::abs(a.dot(b))));

@@ -10,11 +10,11 @@
 #include "incognita/slam/features/consensus.hpp"
 #include "incognita/slam/features/each_feature.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
+#include "incognita/vision/corners.hpp"
 
 namespace incognita {
 namespace {
 
-constexpr double same_corner_px = 3;
 constexpr double max_sigma_px = 15;  // of a search: in a larger ellipse something always matches
 // Of a match in a new view, besides the pixel noise: of 480 right poses in rendered rooms 99 % then have a normalized innovation
 // squared below its degrees of freedom, half of them below a tenth of it

@@ -50,7 +50,7 @@ void note(Estimate& e, int body, bool of_body, std::int64_t id, const PointDetec
 }
 
 /// One pass over the detections of a tick.
-struct Association {
+struct DetectionAssociation {
   Estimate& e;
   const EstimatorSettings& settings;
   Inliers& inliers;
@@ -138,7 +138,7 @@ struct Association {
 void associate_detections(Estimate& e, const Observation& observation, const EstimatorSettings& settings,
                           Inliers& inliers) {
   inliers.clear();
-  Association association{e, settings, inliers, Gate(settings.filter.gate_probability)};
+  DetectionAssociation association{e, settings, inliers, Gate(settings.filter.gate_probability)};
   for (std::size_t i = 0; i < observation.bodies.size(); ++i) {
     association.landmarks(static_cast<int>(i), observation.bodies[i].landmarks);
     association.bodies(static_cast<int>(i), observation.bodies[i].vehicles);

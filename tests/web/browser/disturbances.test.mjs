@@ -10,7 +10,7 @@ import { until } from './harness/waiting.mjs';
 
 /** What must be equal when the commands of a run are repeated. */
 const FILES = ['estimate.tum', 'map.csv', 'series.csv', 'interventions.jsonl', 'run.mcap'];
-const SCENARIO = ['--seed', '3', '--duration', '8'];
+const SCENARIO = ['--seed', '3', '--duration', '30'];
 
 const interventions = (folder) =>
   readFileSync(join(folder, 'interventions.jsonl'), 'utf8').trim().split('\n').map((line) => JSON.parse(line));
@@ -25,9 +25,12 @@ test('a displacement makes the run lost, and the commands can be repeated', asyn
   const run = await watchedRun(t, 'room', SCENARIO);
   const page = await openPage(t, run.address);
   await page.waitForFunction(() => window.incognita.snapshot.matched >= 5);
+  await pause(page);  // filling in the fields may take longer than the run
   await use(page, 'displace', 'displace', { 'displacement along x, m': 0.7, 'turn about z, rad': 1 });
+  await page.getByRole('button', { name: '▶ Resume' }).click();
   await page.locator('.status[data-state=lost]').waitFor();
   const banner = await page.locator('.lost-banner').innerText();
+  await page.getByLabel('speed').first().selectOption('0');
   assert.match(banner, /^Lost: \d+ frames in a row with fewer than 3 features matched; \d+ of \d+ features matched$/);
   await page.locator('.loop-state[data-state=ended]').waitFor();
 

@@ -7,7 +7,8 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/incognita)
 install(TARGETS incognita_program RUNTIME)
 install(TARGETS ${modules} EXPORT incognita-targets)
 install(DIRECTORY incognita/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/incognita FILES_MATCHING PATTERN *.hpp
-        # the command line is no library
+        # of their own module's sources only; the command line is no library
+        PATTERN vision/as_matrix.hpp EXCLUDE PATTERN record/mcap/json_vectors.hpp EXCLUDE
         REGEX "app/commands/(campaign|config|observe|reproduce|run)[.]hpp" EXCLUDE
         PATTERN app/console EXCLUDE PATTERN app/campaign EXCLUDE PATTERN app/view EXCLUDE)
 install(EXPORT incognita-targets NAMESPACE incognita:: DESTINATION ${package})

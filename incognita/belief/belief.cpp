@@ -1,7 +1,9 @@
 #include "incognita/belief/belief.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "incognita/belief/cholesky.hpp"
@@ -175,9 +177,13 @@ void Belief::restore(BlockId id, const BlockVector& mean, const BlockMatrix& cov
                      std::size_t trace_size) {
   const Block& b = block(id);
   const int size = b.chart.tangent();
-  P().block(b.error, b.error, size, size) = covariance;
+  if (covariance.rows() != size || covariance.cols() != size)
+    throw std::invalid_argument("covariance of another size than the block: " +
+                                std::to_string(covariance.rows()) + ", not " + std::to_string(size));
   set_mean(id, mean);
-  if (trace_ && trace_->size() > trace_size) trace_->resize(trace_size);
+  P().block(b.error, b.error, size, size) = covariance;
+  if (trace_ && trace_->size() > trace_size)
+    trace_->erase(trace_->begin() + static_cast<std::ptrdiff_t>(trace_size), trace_->end());
 }
 
 }  // namespace incognita

@@ -11,7 +11,6 @@
 namespace incognita {
 namespace {
 
-using Kind = DecisionSettings::Strategy;
 using Schedule = DecisionSettings::Schedule;
 
 std::vector<int> read_sequence(const std::string& text, const std::vector<std::string>& names) {
@@ -49,7 +48,7 @@ ActionChoice::ActionChoice(const DecisionSettings& settings, std::vector<std::st
       scores_(names_.size(), 0),
       allowed_(names_.size(), false),
       order_(names_.size()) {
-  if (settings_.strategy == Kind::fixed_path && sequence_.empty())
+  if (settings_.strategy == DecisionSettings::Strategy::fixed_path && sequence_.empty())
     throw std::invalid_argument("decision.sequence: must name actions, decision.strategy being `fixed-path`");
   if (settings_.schedule == Schedule::one_per_frame && settings_.horizon > 1)
     throw std::invalid_argument("decision.horizon = " + std::to_string(settings_.horizon) +
@@ -102,13 +101,13 @@ void ActionChoice::allow(const BlockVector& state, const ActionSet& action_set) 
 int ActionChoice::compare(const BlockVector& state, const ActionSet& action_set) {
   allow(state, action_set);
   switch (settings_.strategy) {
-    case Kind::mutual_information:
+    case DecisionSettings::Strategy::mutual_information:
       return most_informative(action_set);
-    case Kind::fixed_path:
+    case DecisionSettings::Strategy::fixed_path:
       return next_of_sequence(action_set);
-    case Kind::random:
+    case DecisionSettings::Strategy::random:
       return any_allowed();
-    case Kind::none:
+    case DecisionSettings::Strategy::none:
       break;
   }
   return action_set.stay();

@@ -1,6 +1,7 @@
 #include "incognita/app/console/interrupt.hpp"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace incognita {
 namespace {

@@ -50,7 +50,6 @@ struct PinholeCamera {
 
   Eigen::Matrix2d distortion_jacobian(const Eigen::Vector2d& c) const;
 
-  // avoids the include of Eigen/LU
   static double determinant(const Eigen::Matrix2d& J);
 
   /// Whether the distortion is one to one from the optical axis to c. Beyond, the polynomial folds over and

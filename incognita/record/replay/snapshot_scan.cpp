@@ -15,18 +15,18 @@
 namespace incognita {
 namespace {
 
-using ScannedJson = nlohmann::json;
+using UnorderedJson = nlohmann::json;
 
 /// Collects the events of successive snapshots.
 class EventFinder {
  public:
-  void add(std::size_t frame, double t, const ScannedJson& snapshot) {
+  void add(std::size_t frame, double t, const UnorderedJson& snapshot) {
     times_.push_back(t);
     add_landmarks(frame, snapshot);
     add_state(frame, snapshot);
     add_decisions(frame, snapshot.at("bodies"));
     if (const auto found = snapshot.find("interventions"); found != snapshot.end())
-      for (const ScannedJson& intervention : *found)
+      for (const UnorderedJson& intervention : *found)
         put(frame, "disturbance", intervention.at("type").get<std::string>());
   }
 
@@ -49,28 +49,28 @@ class EventFinder {
   }
 
   /// A landmark that may be at infinity is missing for some frames, without being removed.
-  void add_landmarks(std::size_t frame, const ScannedJson& snapshot) {
-    for (const ScannedJson& id : snapshot.at("landmark_ids"))
+  void add_landmarks(std::size_t frame, const UnorderedJson& snapshot) {
+    for (const UnorderedJson& id : snapshot.at("landmark_ids"))
       landmarks_.try_emplace(id.get<std::int64_t>(), frame, frame).first->second.second = frame;
     for (const char* list : {"landmarks", "matches"})
       if (const auto found = snapshot.find(list); found != snapshot.end())
-        for (const ScannedJson& landmark : *found)
+        for (const UnorderedJson& landmark : *found)
           if (landmark.at("kind") == "anchor") anchors_.insert(landmark.at("id").get<std::int64_t>());
   }
 
-  void add_state(std::size_t frame, const ScannedJson& snapshot) {
+  void add_state(std::size_t frame, const UnorderedJson& snapshot) {
     const auto state = snapshot.at("state").get<std::string>();
     if (state != state_ && (state == "lost" || state == "relocated"))
       put(frame, state == "lost" ? "lost" : "relocated", snapshot.value("reason", ""));
     state_ = state;
   }
 
-  void add_decisions(std::size_t frame, const ScannedJson& bodies) {
+  void add_decisions(std::size_t frame, const UnorderedJson& bodies) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const auto found = bodies[i].find("decision");
       if (found == bodies[i].end() || !found->value("decided", false)) continue;
       const auto chosen = found->value("chosen", std::int64_t{-1});
-      const ScannedJson& candidates = found->at("candidates");
+      const UnorderedJson& candidates = found->at("candidates");
       if (chosen < 0 || static_cast<std::size_t>(chosen) >= candidates.size()) continue;
       const auto action = candidates[static_cast<std::size_t>(chosen)].at("action").get<std::string>();
       put(frame, "decision", bodies.size() > 1 ? fmt::format("body {}: {}", i + 1, action) : action);
@@ -84,15 +84,15 @@ class EventFinder {
   std::string state_;
 };
 
-std::optional<std::array<double, 3>> position_in(const ScannedJson& json) {
+std::optional<std::array<double, 3>> position_in(const UnorderedJson& json) {
   const auto found = json.find("position");
   if (found == json.end()) return std::nullopt;
   return std::array{found->at("x").get<double>(), found->at("y").get<double>(), found->at("z").get<double>()};
 }
 
-std::vector<RecordedPosition> positions_in(const ScannedJson& bodies) {
+std::vector<RecordedPosition> positions_in(const UnorderedJson& bodies) {
   std::vector<RecordedPosition> positions;
-  for (const ScannedJson& body : bodies) {
+  for (const UnorderedJson& body : bodies) {
     positions.push_back({position_in(body), {}});
     if (const auto truth = body.find("truth"); truth != body.end())
       positions.back().truth = position_in(*truth);
@@ -104,7 +104,7 @@ class Scanner {
  public:
   void add(const std::string& text) {
     if (json_depth(text) > most_json_depth) throw std::length_error("nested too deep");
-    const ScannedJson snapshot = ScannedJson::parse(text);
+    const UnorderedJson snapshot = UnorderedJson::parse(text);
     RecordedFrame frame{snapshot.at("t").get<double>(), snapshot.at("state").get<std::string>(),
                         landmarks_at_, explored_at_};
     const std::size_t which = scan_.frames.size();
@@ -113,7 +113,7 @@ class Scanner {
     frame.bodies = positions_in(snapshot.at("bodies"));
     events_.add(which, frame.t, snapshot);
     if (const auto found = snapshot.find("interventions"); found != snapshot.end())
-      for (const ScannedJson& intervention : *found) scan_.interventions.push_back(intervention.dump());
+      for (const UnorderedJson& intervention : *found) scan_.interventions.push_back(intervention.dump());
     scan_.bodies = std::max(scan_.bodies, static_cast<int>(snapshot.at("bodies").size()));
     landmarks_at_ = frame.landmarks_at, explored_at_ = frame.explored_at;
     scan_.frames.push_back(std::move(frame));
@@ -149,7 +149,7 @@ SnapshotScan scan_snapshots(const McapReader& log) {
       continue;
     } catch (const InputError& error) {
       damage = error.what();
-    } catch (const ScannedJson::exception& error) {
+    } catch (const UnorderedJson::exception& error) {
       damaged(brief(error));
     } catch (const std::length_error& error) {
       damaged(brief(error));

@@ -6,7 +6,6 @@
 #include "incognita/record/files/number.hpp"
 
 namespace incognita {
-namespace {}
 
 void TimingTable::add(const Snapshot& snapshot) {
   const bool more = set_stages(snapshot);

@@ -17,7 +17,7 @@ struct RecognitionLimits {
   int max_corners = 400;            ///< of an image
   double max_distance = 330;        ///< of descriptors, of length 512
   int candidates_per_landmark = 3;  ///< corners that may be the same landmark
-  int landmarks_per_corner = 6;     ///< of a place that looks like another, too: then both are hypotheses
+  int landmarks_per_corner = 6;     ///< that a corner may be taken for: places may look alike
   double distinctive_ratio = 0.8;   ///< of the distance of descriptors to that of the next alike
   double max_sigma_share = 0.15;    ///< of the position of a landmark, relative to its distance
 };

@@ -65,6 +65,7 @@ TEST(LandmarkDeletion, OfWhatWasMatchedInLessThanHalfOfEnoughAttempts) {
 /// Counts one frame in which a landmark was searched for and, perhaps, matched.
 void count_frame(Tracking& t, std::int64_t id, bool matched) {
   FeatureMatch match{};
+  match.point.setZero();
   match.id = id;
   match.outcome = matched ? MatchOutcome::matched : MatchOutcome::not_found;
   t.tracked.matches = {match};

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "incognita/models/sensors/check_image.hpp"
 
 namespace incognita {
 
@@ -45,15 +45,7 @@ std::optional<Eigen::Vector3d> FisheyeCamera::unproject(const Eigen::Vector2d& p
 }
 
 void FisheyeCamera::check() const {
-  const auto need = [](bool ok, const char* what, double value) {
-    if (!ok) throw std::invalid_argument(std::string(what) + ", got " + std::to_string(value));
-  };
-  need(width >= 16, "camera width_px must be at least 16", width);
-  need(height >= 16, "camera height_px must be at least 16", height);
-  need(std::isfinite(fu) && fu > 0, "camera fu_px must be positive", fu);
-  need(std::isfinite(fv) && fv > 0, "camera fv_px must be positive", fv);
-  need(std::isfinite(u0) && u0 > 0 && u0 < width, "camera u0_px must lie inside the image width", u0);
-  need(std::isfinite(v0) && v0 > 0 && v0 < height, "camera v0_px must lie inside the image height", v0);
+  check_image(*this);
   need(std::isfinite(k1), "camera k1 must be finite", k1);
   need(std::isfinite(k2), "camera k2 must be finite", k2);
   need(std::isfinite(k3), "camera k3 must be finite", k3);

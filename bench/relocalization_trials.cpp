@@ -349,7 +349,9 @@ int run(const Wanted& wanted) {
       const Outcome o = trial_in_child(loop, wanted, seed, k);
       const bool is_mapped = !wanted.other_room && o.mapped >= 6;
       const bool is_back = o.back_after_s >= 0;
-      const auto is_far = [&](double m, double rad) { return wanted.other_room || m > 0.3 || rad > 0.15; };
+      const auto is_far = [&](double off_m, double off_rad) {
+        return wanted.other_room || off_m > 0.3 || off_rad > 0.15;
+      };
       const bool is_wrong = (is_back || o.never_lost) && is_far(o.error_m, o.error_rad);
       still_wrong +=
           is_wrong && (o.never_lost || (!o.lost_again && is_far(o.late_error_m, o.late_error_rad)));

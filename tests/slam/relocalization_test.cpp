@@ -174,5 +174,54 @@ TEST(Relocalization, NotAtItsLastPoseIfARepeatedTextureIsSeenElsewhereToo) {
   }
 }
 
+void remove(Feature& feature) {
+  feature.described.clear();
+  feature.view.texture.pixels =
+      Image(feature.view.texture.pixels.width(), feature.view.texture.pixels.height());
+}
+
+/// Its patch no longer matches, its descriptors do.
+void invert(Feature& feature) {
+  Image& pixels = feature.view.texture.pixels;
+  for (int v = 0; v < pixels.height(); ++v)
+    for (int u = 0; u < pixels.width(); ++u) pixels(u, v) = static_cast<std::uint8_t>(255 - pixels(u, v));
+}
+
+/// A building that repeats: the upper part of the image is seen at two places. The map has the upper part of one and the lower
+/// part of the other, so that everything in view matches at the wrong place. At the right one more landmarks are recognized,
+/// but every second patch no longer matches.
+TEST(Relocalization, NotWhereLessOfTheImageIsRecognized) {
+  CameraSlamSettings settings = defaults();
+  settings.search.max_measurements = settings.map.wanted_visible = 50;
+  settings.initialization.max_new_per_frame = 5;
+  settings.initialization.selection = InitializationSettings::Selection::grid;
+  Lost lost(wall_with_sheet(), 3.2, settings);
+  const CameraState right = camera_at({0.02, 0.6, 0}), wrong = camera_at({0.02, 2.6, 0});
+  constexpr int upper_rows = 110;
+  bool is_second = false;
+  auto features = lost.estimator.cameras()[0].camera().features;
+  for (auto& [id, feature] : features) {
+    const auto at = position_of(lost.estimate.landmarks.at(id), lost.estimate);
+    if (!at) continue;
+    const Eigen::Vector3d point = at->position;
+    const bool is_upper = pixel_of(wrong, {point.x(), wrong.y(), point.z()}).y() < upper_rows;
+    const bool is_near_wrong = point.y() > 1.6;
+    if (is_upper != is_near_wrong)
+      remove(feature);
+    else if (!is_near_wrong && (is_second = !is_second))
+      invert(feature);
+    lost.estimator.camera(0).adopt(id, feature);
+  }
+  Image seen = lost.wall.seen_from(right);
+  const Image above = lost.wall.seen_from(wrong);
+  for (int v = 0; v < upper_rows; ++v) std::copy(above.row(v), above.row(v) + above.width(), seen.row(v));
+  const auto shared = std::make_shared<const Image>(seen);
+  for (int i = 0; i < 12; ++i) {
+    lost.estimator.update(lost.estimate, {}, seeing(shared), tick(lost.k++));
+    EXPECT_TRUE(lost.is_lost()) << "frame " << i << ", at "
+                                << lost.estimate.camera_state().head<3>().transpose();
+  }
+}
+
 }  // namespace
 }  // namespace incognita

@@ -237,15 +237,22 @@ std::string refusal_of(const PoseEvidence& evidence, const Camera& camera,
   return "";
 }
 
+bool matches_most(const PoseEvidence& evidence, const std::vector<PointMatch>& landmarks) {
+  const auto is_matched = [&](const PointMatch& landmark) {
+    return std::ranges::any_of(evidence.matches, [&](const FeatureMatch& match) {
+      return match.id == landmark.id && match.outcome == MatchOutcome::matched &&
+             (*match.measured - landmark.pixel).norm() < same_corner_px;
+    });
+  };
+  return 2 * static_cast<std::size_t>(std::ranges::count_if(landmarks, is_matched)) > landmarks.size();
+}
+
 bool share_matches(const PoseEvidence& a, const PoseEvidence& b) {
-  int shared = 0;
+  std::vector<PointMatch> matched;
   for (const FeatureMatch& match : b.matches)
-    shared += match.outcome == MatchOutcome::matched &&
-              std::ranges::any_of(a.matches, [&](const FeatureMatch& other) {
-                return other.id == match.id && other.outcome == MatchOutcome::matched &&
-                       (*other.measured - *match.measured).norm() < same_corner_px;
-              });
-  return 2 * shared > b.matched;
+    if (match.outcome == MatchOutcome::matched)
+      matched.push_back({match.id, match.point, Eigen::Matrix3d::Zero(), *match.measured});
+  return matches_most(a, matched);
 }
 
 }  // namespace incognita

@@ -43,13 +43,24 @@ std::vector<Relocalization::Tried> Relocalization::poses_in_map(const SummedImag
   const double sigma_px = std::max(1.0, std::sqrt(camera.error_var()));
   std::vector<Tried> tried;
   for (const PoseHypothesis& hypothesis :
-       find_poses(recognized, camera.camera, pose_limits(camera.settings.map), sigma_px, random_))
-    tried.push_back(
-        {gather_evidence(image, estimate, camera, hypothesis.camera, wider * wider * hypothesis.cov),
-         hypothesis.distinctive});
+       find_poses(recognized, camera.camera, pose_limits(camera.settings.map), sigma_px, random_)) {
+    Tried pose{gather_evidence(image, estimate, camera, hypothesis.camera, wider * wider * hypothesis.cov),
+               {},
+               hypothesis.distinctive};
+    for (const int i : hypothesis.matches) pose.recognized.push_back(recognized[static_cast<std::size_t>(i)]);
+    tried.push_back(std::move(pose));
+  }
   std::stable_sort(tried.begin(), tried.end(),
                    [](const Tried& a, const Tried& b) { return a.evidence.matched > b.evidence.matched; });
   return tried;
+}
+
+/// Whether another pose explains more of what is recognized in the image, and more of what looks like nothing else. Where a
+/// building repeats, the wrong place may match in every feature in view while the map holds few features of the right
+/// one; what is distinctive then speaks for the right one.
+bool Relocalization::is_recognized_elsewhere(const Tried& other, const Tried& best) {
+  return other.recognized.size() > best.recognized.size() && other.distinctive > best.distinctive &&
+         !matches_most(best.evidence, other.recognized);
 }
 
 std::optional<PoseEvidence> Relocalization::search(const SummedImage& image, const Estimate& estimate,
@@ -57,11 +68,13 @@ std::optional<PoseEvidence> Relocalization::search(const SummedImage& image, con
   std::vector<Tried> tried = poses_in_map(image, estimate, camera);
   if (tried.empty() || tried.front().distinctive < camera.settings.relocalization.min_distinctive)
     return std::nullopt;
-  PoseEvidence& best = tried.front().evidence;
-  if (!refusal_of(best, camera.camera, camera.settings).empty()) return std::nullopt;
-  if (std::ranges::any_of(tried, [&](const Tried& other) { return is_rival(other.evidence, best); }))
+  Tried& best = tried.front();
+  if (!refusal_of(best.evidence, camera.camera, camera.settings).empty()) return std::nullopt;
+  if (std::ranges::any_of(tried, [&](const Tried& other) {
+        return is_rival(other.evidence, best.evidence) || is_recognized_elsewhere(other, best);
+      }))
     return std::nullopt;
-  return std::move(best);
+  return std::move(best.evidence);
 }
 
 /// From the matches of the camera, unless the map holds another pose that explains the image as well.

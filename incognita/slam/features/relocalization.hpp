@@ -34,8 +34,10 @@ class Relocalization {
 
   struct Tried {
     PoseEvidence evidence;
-    int distinctive = 0;  ///< matches by which it was recognized that look like no other
+    std::vector<PointMatch> recognized;  ///< by which the pose was found
+    int distinctive = 0;                 ///< number of those that look like no other
   };
+  static bool is_recognized_elsewhere(const Tried& other, const Tried& best);
   std::vector<Tried> poses_in_map(const SummedImage& image, const Estimate& estimate,
                                   const TrackedCamera& camera);
   std::optional<PoseEvidence> near_last_pose(const SummedImage& image, const Estimate& estimate,

@@ -362,16 +362,14 @@ void ObservabilityMonitor::put_rows(MatrixXd rows) {
 /// and returns the rows over all errors. With the errors' own block B = F F': rows = F^+ (their rows of L).
 MatrixXd ObservabilityMonitor::take_rows_of(int first, int count) {
   const int at = first - vehicle_errors();
-  MatrixXd L = L_.matrix();
-  const MatrixXd F = factor_of(L.block(at, at, count, count));
+  const MatrixXd own = L_.rows(at, count);
+  const MatrixXd F = factor_of(own.middleCols(at, count));
   MatrixXd rows = MatrixXd::Zero(F.cols(), V_.cols());
   if (F.cols() == 0) return rows;
-  auto of_map = rows.rightCols(L.cols());
-  of_map = F.completeOrthogonalDecomposition().pseudoInverse() * L.middleRows(at, count);
-  L -= of_map.transpose() * of_map;
-  L.middleRows(at, count).setZero();
-  L.middleCols(at, count).setZero();
-  L_.set(L);
+  auto of_map = rows.rightCols(own.cols());
+  of_map = F.completeOrthogonalDecomposition().pseudoInverse() * own;
+  L_.subtract(of_map);
+  L_.set_rows(at, MatrixXd::Zero(count, own.cols()));
   return rows;
 }
 
@@ -391,14 +389,13 @@ void ObservabilityMonitor::eliminate(int first, int count) {
 /// Removes the columns and rows of errors without information.
 void ObservabilityMonitor::remove_columns(int first, int count) {
   if (count == 0) return;
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index i = 0; i < V_.cols(); ++i)
-    if (i < first || i >= first + count) kept.push_back(i);
-  V_ = V_(Eigen::all, kept).eval();
-  kept.erase(kept.begin(), kept.begin() + vehicle_errors());
-  for (Eigen::Index& i : kept) i -= vehicle_errors();
-  L_.set(L_.matrix()(kept, kept));
-  added_ = added_(kept).eval();
+  const Eigen::Index after = V_.cols() - first - count;
+  const int at = first - vehicle_errors();
+  V_.middleCols(first, after) = V_.rightCols(after).eval();
+  V_.conservativeResize(Eigen::NoChange, first + after);
+  L_.remove(at, count);
+  added_.segment(at, after) = added_.tail(after).eval();
+  added_.conservativeResize(at + after);
 }
 
 void ObservabilityMonitor::drop(BlockId id) {
@@ -423,10 +420,9 @@ void ObservabilityMonitor::shrink(const Block& block, int by) {
 void ObservabilityMonitor::transform_block(int first, int count, const MatrixXd& C) {
   const int at = first - vehicle_errors();
   V_.middleCols(first, count) = (V_.middleCols(first, count) * C).eval();
-  MatrixXd L = L_.matrix();
+  MatrixXd L = C.transpose() * L_.rows(at, count);
   L.middleCols(at, count) = (L.middleCols(at, count) * C).eval();
-  L.middleRows(at, count) = (C.transpose() * L.middleRows(at, count)).eval();
-  L_.set(L);
+  L_.set_rows(at, L);
   // |L_ij| <= sqrt(L_ii L_jj): (C' L C)_jj <= (sum of |C_ij| sqrt(L_ii))^2
   added_.segment(at, count) =
       (C.cwiseAbs().transpose() * added_.segment(at, count).cwiseSqrt()).cwiseAbs2().eval();
@@ -476,17 +472,15 @@ void ObservabilityMonitor::shear(const BlockShear& s) {
     if (const Block* block = find(id)) B.middleRows(block->first - all, block->errors) = of_landmark;
   const Eigen::Index first = vehicle->first + s.first;
   V_.middleCols(first, columns) -= V_.rightCols(L_.size()) * B;
-  MatrixXd L = L_.matrix();
-  const MatrixXd LB = L * B;
+  const MatrixXd LB = L_.matrix() * B;
   const MatrixXd F = factor_of(B.transpose() * LB);
   if (F.cols() == 0) return;
   MatrixXd rows = MatrixXd::Zero(V_.rows() + F.cols(), V_.cols());
   rows.topRows(V_.rows()) = V_;
-  rows.bottomRightCorner(F.cols(), L.cols()) =
-      F.completeOrthogonalDecomposition().pseudoInverse() * LB.transpose();
-  L -= rows.bottomRightCorner(F.cols(), L.cols()).transpose() * rows.bottomRightCorner(F.cols(), L.cols());
+  const MatrixXd of_map = F.completeOrthogonalDecomposition().pseudoInverse() * LB.transpose();
+  rows.bottomRightCorner(F.cols(), L_.size()) = of_map;
+  L_.subtract(of_map);
   rows.block(V_.rows(), first, F.cols(), columns) = -F.transpose();
-  L_.set(L);
   const VectorXd added = added_;
   put_rows(std::move(rows));
   added_ = added;  // these rows were moved, not gained

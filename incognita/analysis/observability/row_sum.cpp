@@ -41,18 +41,40 @@ void RowSum::add(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
   rank_update(minus_.data(), stride_, size_, packed_.data(), rank);
 }
 
-Eigen::MatrixXd RowSum::matrix() const {
-  const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> lower(minus_.data(), size_, size_,
-                                                                         Eigen::OuterStride<>(stride_));
-  Eigen::MatrixXd full = lower.selfadjointView<Eigen::Lower>();
-  return -full;
+void RowSum::subtract(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
+  lower().selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
 }
 
-void RowSum::set(const Eigen::MatrixXd& matrix) {
-  size_ = 0;
-  grow(static_cast<int>(matrix.rows()));
-  Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>(minus_.data(), size_, size_,
-                                                       Eigen::OuterStride<>(stride_)) = -matrix;
+Eigen::MatrixXd RowSum::rows(int first, int count) const {
+  const int last = first + count, after = size_ - last;
+  Eigen::MatrixXd out(count, size_);
+  out.leftCols(first) = -lower().block(first, 0, count, first);
+  const Eigen::MatrixXd own = lower().block(first, first, count, count).selfadjointView<Eigen::Lower>();
+  out.middleCols(first, count) = -own;
+  out.rightCols(after) = -lower().block(last, first, after, count).transpose();
+  return out;
+}
+
+void RowSum::set_rows(int first, const Eigen::Ref<const Eigen::MatrixXd>& rows) {
+  const auto count = static_cast<int>(rows.rows()), last = first + count, after = size_ - last;
+  lower().block(first, 0, count, last) = -rows.leftCols(last);
+  lower().block(last, first, after, count) = -rows.rightCols(after).transpose();
+}
+
+/// Of the lower triangle, what is below the removed rows moves to lower addresses: nothing is overwritten before it is copied.
+void RowSum::remove(int first, int count) {
+  const int last = first + count, left = size_ - count;
+  for (int j = 0; j < left; ++j) {
+    double* to = minus_.data() + static_cast<long>(j) * stride_;
+    const double* from = minus_.data() + static_cast<long>(j < first ? j : j + count) * stride_;
+    std::copy(from + last, from + size_, to + first);
+  }
+  size_ = left;
+}
+
+Eigen::MatrixXd RowSum::matrix() const {
+  Eigen::MatrixXd full = lower().selfadjointView<Eigen::Lower>();
+  return -full;
 }
 
 }  // namespace incognita

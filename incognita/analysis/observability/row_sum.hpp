@@ -1,4 +1,5 @@
-// Symmetric matrix with accumulated rows: M <- M + rows' rows.
+// Symmetric matrix with accumulated rows: M <- M + rows' rows. What concerns few rows and columns is done in place: the matrix
+// is as large as the map.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,12 +17,23 @@ class RowSum {
   void grow(int by);
   /// `rows`: any number x size().
   void add(const Eigen::Ref<const Eigen::MatrixXd>& rows);
+  /// M <- M - rows' rows; `rows`: a few times size().
+  void subtract(const Eigen::Ref<const Eigen::MatrixXd>& rows);
+  /// Rows of M from `first` on: count x size().
+  Eigen::MatrixXd rows(int first, int count) const;
+  /// Replaces the rows from `first` on and the same columns; `rows`: any number x size(), symmetric in its own columns.
+  void set_rows(int first, const Eigen::Ref<const Eigen::MatrixXd>& rows);
+  /// Removes rows and the same columns.
+  void remove(int first, int count);
   /// Both triangles.
   Eigen::MatrixXd matrix() const;
-  /// Replaces the matrix by one of any size.
-  void set(const Eigen::MatrixXd& matrix);
 
  private:
+  using Lower = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+  Lower lower() { return {minus_.data(), size_, size_, Eigen::OuterStride<>(stride_)}; }
+  Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> lower() const {
+    return {minus_.data(), size_, size_, Eigen::OuterStride<>(stride_)};
+  }
   void reserve(int size);
 
   int size_ = 0;

@@ -13,6 +13,13 @@ namespace {
 
 using Schedule = DecisionSettings::Schedule;
 
+/// Whether actions are scored between decisions, too. Not all of them for a vehicle that stays whatever they score, as where a
+/// recording is replayed.
+bool scores_between_decisions(const DecisionSettings& s) {
+  if (s.horizon > 1 || s.schedule == Schedule::at_decisions) return false;
+  return s.schedule == Schedule::one_per_frame || s.strategy != DecisionSettings::Strategy::none;
+}
+
 std::vector<int> read_sequence(const std::string& text, const std::vector<std::string>& names) {
   std::vector<int> sequence;
   std::istringstream words(text);
@@ -65,8 +72,7 @@ void ActionChoice::forget() {
 bool ActionChoice::choose(const AnyBelief& belief, BlockId vehicle, const BlockVector& state,
                           const ActionSet& action_set, const Expectation& expectation, const Tick& tick) {
   const bool due = chosen_ < 0 || has_come(end_t_, tick.t);
-  if (due || (settings_.horizon == 1 && settings_.schedule != Schedule::at_decisions))
-    score(belief, vehicle, state, action_set, expectation);
+  if (due || scores_between_decisions(settings_)) score(belief, vehicle, state, action_set, expectation);
   if (!due) return false;
   chosen_ = compare(state, action_set);
   end_t_ = tick.t + settings_.period_s;

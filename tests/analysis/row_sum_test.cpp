@@ -37,7 +37,6 @@ struct Sums {
   void compare(double tolerance = 1e-12) const {
     ASSERT_EQ(sum.size(), dense.cols());
     EXPECT_LT((sum.matrix() - dense).norm(), tolerance * (1 + dense.norm()));
-    EXPECT_EQ(sum.matrix(), sum.matrix().transpose());
   }
 };
 
@@ -69,13 +68,16 @@ TEST(RowSum, RemovesRowsAnywhereAndGrowsAgain) {
     s.sum.remove(first, 6);
     s.dense = removed(s.dense, first, 6);
     s.compare();
-    s.sum.grow(9);
-    s.dense.conservativeResizeLike(Eigen::MatrixXd::Zero(40, 40));
-    s.compare();
-    const Eigen::MatrixXd rows = random_rows(4, 40, s.random);
-    s.sum.add(rows);
-    s.dense += rows.transpose() * rows;
-    s.compare();
+    for (const int by : {4, 9}) {  // within the memory of the removed rows, and beyond
+      s.sum.grow(by);
+      const auto size = s.dense.cols() + by;
+      s.dense.conservativeResizeLike(Eigen::MatrixXd::Zero(size, size));
+      s.compare();
+      const Eigen::MatrixXd rows = random_rows(4, static_cast<int>(size), s.random);
+      s.sum.add(rows);
+      s.dense += rows.transpose() * rows;
+      s.compare();
+    }
   }
 }
 

@@ -239,6 +239,37 @@ TEST(ActionChoice, ScoresOnlyAtDecisionsIfScheduledSo) {
   EXPECT_EQ(choices(s, 1), in_every_frame);
 }
 
+/// Three actions in 100 frames with 10 decisions. The strategy `none` uses no scores, so that a recording that is replayed does not
+/// wait for them.
+TEST(ActionChoice, ScoresInEveryFrameWhatMayBeChosen) {
+  class Counted final : public Expectation {
+   public:
+    mutable int count = 0;
+    void expect(const BlockVector&, std::vector<PredictedMeasurement>& measurements) const override {
+      measurements.clear();
+      ++count;
+    }
+  };
+  using Strategy = DecisionSettings::Strategy;
+  using Schedule = DecisionSettings::Schedule;
+  const auto evaluations = [](Strategy strategy, Schedule schedule) {
+    DecisionSettings s;
+    s.strategy = strategy;
+    s.schedule = schedule;
+    Line line;
+    Counted expectation;
+    ActionChoice choice(s, {"left", "stay", "right"}, 1);
+    for (int k = 0; k < 100; ++k)
+      choice.choose(line.belief, line.robot, line.at, Steps(), expectation, {k, 0.1 * k, 0.1});
+    return expectation.count;
+  };
+  EXPECT_EQ(evaluations(Strategy::mutual_information, Schedule::every_frame), 300);
+  EXPECT_EQ(evaluations(Strategy::random, Schedule::every_frame), 300);
+  EXPECT_EQ(evaluations(Strategy::none, Schedule::every_frame), 30);
+  EXPECT_EQ(evaluations(Strategy::mutual_information, Schedule::at_decisions), 30);
+  EXPECT_EQ(evaluations(Strategy::none, Schedule::one_per_frame), 100);
+}
+
 TEST(ActionChoice, RefusesInvalidSettings) {
   const std::vector<std::string> names{"left", "stay", "right"};
   DecisionSettings s;

@@ -82,11 +82,8 @@ void decision(SettingReader& r, Scenario& s, bool accelerates) {
   using D = DecisionSettings;
   DecisionSettings& d = s.decision;
   r.section("decision");
-  r.some(d, &D::strategy);
-  // Of a camera that is not steered, e.g. a recorded one, scores in every frame would only cost time
-  if (d.strategy == DecisionSettings::Strategy::none) d.schedule = DecisionSettings::Schedule::at_decisions;
-  r.some(d, &D::metric, &D::horizon, &D::max_evaluations, &D::schedule, &D::sequence, &D::period_s,
-         &D::min_bound_m, &D::max_bound_m);
+  r.some(d, &D::strategy, &D::metric, &D::horizon, &D::max_evaluations, &D::schedule, &D::sequence,
+         &D::period_s, &D::min_bound_m, &D::max_bound_m);
   if (!accelerates) {
     r.some(d, &D::step_m, &D::moves_m);
   } else {

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "incognita/math/gaussian.hpp"
@@ -237,14 +238,19 @@ std::string refusal_of(const PoseEvidence& evidence, const Camera& camera,
   return "";
 }
 
-bool matches_most(const PoseEvidence& evidence, const std::vector<PointMatch>& landmarks) {
-  const auto is_matched = [&](const PointMatch& landmark) {
+std::vector<PointMatch> matched_of(const PoseEvidence& evidence, const std::vector<PointMatch>& landmarks) {
+  std::vector<PointMatch> out;
+  std::ranges::copy_if(landmarks, std::back_inserter(out), [&](const PointMatch& landmark) {
     return std::ranges::any_of(evidence.matches, [&](const FeatureMatch& match) {
       return match.id == landmark.id && match.outcome == MatchOutcome::matched &&
              (*match.measured - landmark.pixel).norm() < same_corner_px;
     });
-  };
-  return 2 * static_cast<std::size_t>(std::ranges::count_if(landmarks, is_matched)) > landmarks.size();
+  });
+  return out;
+}
+
+bool matches_most(const PoseEvidence& evidence, const std::vector<PointMatch>& landmarks) {
+  return 2 * matched_of(evidence, landmarks).size() > landmarks.size();
 }
 
 bool share_matches(const PoseEvidence& a, const PoseEvidence& b) {

@@ -39,7 +39,8 @@ std::string refusal_of(const PoseEvidence& evidence, const Camera& camera,
 /// Whether most landmarks that `b` matched were matched by `a` at the same pixels: the poses are the same.
 bool share_matches(const PoseEvidence& a, const PoseEvidence& b);
 
-/// Whether most of these landmarks were matched by the evidence at the same pixels.
+/// Those of these landmarks that the evidence matched at the same pixels; whether they are most.
+std::vector<PointMatch> matched_of(const PoseEvidence& evidence, const std::vector<PointMatch>& landmarks);
 bool matches_most(const PoseEvidence& evidence, const std::vector<PointMatch>& landmarks);
 
 }  // namespace incognita

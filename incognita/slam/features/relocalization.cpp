@@ -37,16 +37,14 @@ bool is_rival(const PoseEvidence& other, const PoseEvidence& best) {
 /// The evidence for each pose by which the landmarks recognized in the image may be seen, the most matches first.
 std::vector<Relocalization::Tried> Relocalization::poses_in_map(const SummedImage& image,
                                                                 const Estimate& estimate,
-                                                                const TrackedCamera& camera) {
-  const std::vector<PointMatch> recognized =
-      recognize_landmarks(image.image(), estimate, camera, RecognitionLimits{});
+                                                                const TrackedCamera& camera,
+                                                                const std::vector<PointMatch>& recognized) {
   const double sigma_px = std::max(1.0, std::sqrt(camera.error_var()));
   std::vector<Tried> tried;
   for (const PoseHypothesis& hypothesis :
        find_poses(recognized, camera.camera, pose_limits(camera.settings.map), sigma_px, random_)) {
     Tried pose{gather_evidence(image, estimate, camera, hypothesis.camera, wider * wider * hypothesis.cov),
-               {},
-               hypothesis.distinctive};
+               {}};
     for (const int i : hypothesis.matches) pose.recognized.push_back(recognized[static_cast<std::size_t>(i)]);
     tried.push_back(std::move(pose));
   }
@@ -55,24 +53,31 @@ std::vector<Relocalization::Tried> Relocalization::poses_in_map(const SummedImag
   return tried;
 }
 
-/// Whether another pose explains more of what is recognized in the image, and more of what looks like nothing else. Where a
-/// building repeats, the wrong place may match in every feature in view while the map holds few features of the right
-/// one; what is distinctive then speaks for the right one.
-bool Relocalization::is_recognized_elsewhere(const Tried& other, const Tried& best) {
-  return other.recognized.size() > best.recognized.size() && other.distinctive > best.distinctive &&
-         !matches_most(best.evidence, other.recognized);
+/// Number of recognized landmarks that look like no other.
+int Relocalization::distinctive_count(const Tried& tried) {
+  return static_cast<int>(std::ranges::count_if(tried.recognized, &PointMatch::is_distinctive));
+}
+
+/// Whether the camera may as well be at another pose: active search finds about as much there, or the pose explains more of what is
+/// recognized in the image, and more of what is distinctive. Where a building repeats, every feature in view may match at
+/// the wrong place, while of the right one the map has few features.
+bool Relocalization::is_elsewhere(const Tried& other, const Tried& best) {
+  if (is_rival(other.evidence, best.evidence)) return true;
+  const bool is_same_place =
+      share_matches(best.evidence, other.evidence) || matches_most(best.evidence, other.recognized);
+  return !is_same_place && other.recognized.size() > best.recognized.size() &&
+         distinctive_count(other) > distinctive_count(best);
 }
 
 std::optional<PoseEvidence> Relocalization::search(const SummedImage& image, const Estimate& estimate,
                                                    const TrackedCamera& camera) {
-  std::vector<Tried> tried = poses_in_map(image, estimate, camera);
-  if (tried.empty() || tried.front().distinctive < camera.settings.relocalization.min_distinctive)
+  std::vector<Tried> tried = poses_in_map(
+      image, estimate, camera, recognize_landmarks(image.image(), estimate, camera, RecognitionLimits{}));
+  if (tried.empty() || distinctive_count(tried.front()) < camera.settings.relocalization.min_distinctive)
     return std::nullopt;
   Tried& best = tried.front();
   if (!refusal_of(best.evidence, camera.camera, camera.settings).empty()) return std::nullopt;
-  if (std::ranges::any_of(tried, [&](const Tried& other) {
-        return is_rival(other.evidence, best.evidence) || is_recognized_elsewhere(other, best);
-      }))
+  if (std::ranges::any_of(tried, [&](const Tried& other) { return is_elsewhere(other, best); }))
     return std::nullopt;
   return std::move(best.evidence);
 }
@@ -81,12 +86,15 @@ std::optional<PoseEvidence> Relocalization::search(const SummedImage& image, con
 std::optional<PoseEvidence> Relocalization::near_last_pose(const SummedImage& image, const Estimate& estimate,
                                                            const TrackedCamera& camera) {
   if (camera.matched == 0) return std::nullopt;
-  PoseEvidence found = gather_evidence(image, estimate, camera);
-  if (!refusal_of(found, camera.camera, camera.settings).empty()) return std::nullopt;
-  const std::vector<Tried> tried = poses_in_map(image, estimate, camera);
-  if (std::ranges::any_of(tried, [&](const Tried& other) { return is_rival(other.evidence, found); }))
+  Tried found{gather_evidence(image, estimate, camera), {}};
+  if (!refusal_of(found.evidence, camera.camera, camera.settings).empty()) return std::nullopt;
+  const std::vector<PointMatch> recognized =
+      recognize_landmarks(image.image(), estimate, camera, RecognitionLimits{});
+  found.recognized = matched_of(found.evidence, recognized);
+  const std::vector<Tried> tried = poses_in_map(image, estimate, camera, recognized);
+  if (std::ranges::any_of(tried, [&](const Tried& other) { return is_elsewhere(other, found); }))
     return std::nullopt;
-  return found;
+  return std::move(found.evidence);
 }
 
 std::optional<PoseEvidence> Relocalization::confirm(const SummedImage& image, const Estimate& estimate,

@@ -34,12 +34,12 @@ class Relocalization {
 
   struct Tried {
     PoseEvidence evidence;
-    std::vector<PointMatch> recognized;  ///< by which the pose was found
-    int distinctive = 0;                 ///< number of those that look like no other
+    std::vector<PointMatch> recognized;  ///< landmarks recognized in the image that the pose explains
   };
-  static bool is_recognized_elsewhere(const Tried& other, const Tried& best);
+  static int distinctive_count(const Tried& tried);
+  static bool is_elsewhere(const Tried& other, const Tried& best);
   std::vector<Tried> poses_in_map(const SummedImage& image, const Estimate& estimate,
-                                  const TrackedCamera& camera);
+                                  const TrackedCamera& camera, const std::vector<PointMatch>& recognized);
   std::optional<PoseEvidence> near_last_pose(const SummedImage& image, const Estimate& estimate,
                                              const TrackedCamera& camera);
   std::optional<PoseEvidence> confirm(const SummedImage& image, const Estimate& estimate,

@@ -20,6 +20,12 @@ PlanarSlamSettings with_known_identities(const PlanarFilterSettings& filter) {
   return s;
 }
 
+PlanarFilterSettings with(Linearization linearization) {
+  PlanarFilterSettings filter;
+  filter.linearization = linearization;
+  return filter;
+}
+
 PlanarSlamSettings settings_for(const PlanarLoopSettings& drive, const PlanarFilterSettings& filter) {
   PlanarSlamSettings s = with_known_identities(filter);
   s.vehicle.sigma_speed_m_s = drive.sigma_speed_m_s;
@@ -33,15 +39,17 @@ PlanarSlamSettings settings_for(const PlanarLoopSettings& drive, const PlanarFil
 }  // namespace
 
 std::vector<PlanarFilterChoice> planar_filter_choices() {
+  PlanarFilterSettings in_vehicle_frame;
+  in_vehicle_frame.map_frame = MapFrame::vehicle;
   return {{"EKF", {}},
-          {"iterated EKF", {.linearization = Linearization::iterated}},
-          {"unscented vehicle", {.linearization = Linearization::unscented_vehicle}},
-          {"first-estimate Jacobians", {.linearization = Linearization::first_estimate}},
-          {"map in the vehicle's frame", {.map_frame = MapFrame::vehicle}}};
+          {"iterated EKF", with(Linearization::iterated)},
+          {"unscented vehicle", with(Linearization::unscented_vehicle)},
+          {"first-estimate Jacobians", with(Linearization::first_estimate)},
+          {"map in the vehicle's frame", in_vehicle_frame}};
 }
 
 StandingVehicle standing_vehicle(const StandingSettings& settings, RandomStream& random) {
-  PlanarSlamSettings s = with_known_identities({.linearization = settings.linearization});
+  PlanarSlamSettings s = with_known_identities(with(settings.linearization));
   s.sensor = {0.1, 0, radians(settings.sigma_bearing_deg), 80};
   s.start.position_m = settings.first_estimate.head<2>();
   s.start.heading_rad = settings.first_estimate[2];

@@ -79,7 +79,7 @@ bool ActionChoice::choose(const AnyBelief& belief, BlockId vehicle, const BlockV
   return true;
 }
 
-/// Scores are also computed for the strategies that do not use them, since they are recorded.
+/// Scores are also computed for the strategies that do not use them, since they are recorded; for `none` at decisions only.
 void ActionChoice::score(const AnyBelief& belief, BlockId vehicle, const BlockVector& state,
                          const ActionSet& action_set, const Expectation& expectation) {
   if (settings_.schedule != Schedule::one_per_frame) {

@@ -34,9 +34,9 @@ struct Sums {
     sum.add(rows);
     dense = rows.transpose() * rows;
   }
-  void compare(double tolerance = 1e-12) const {
+  void compare() const {
     ASSERT_EQ(sum.size(), dense.cols());
-    EXPECT_LT((sum.matrix() - dense).norm(), tolerance * (1 + dense.norm()));
+    EXPECT_LT((sum.matrix() - dense).norm(), 1e-12 * (1 + dense.norm()));
   }
 };
 

@@ -230,7 +230,7 @@ TEST(Relocalization, NotWhereLessOfTheImageIsRecognized) {
   for (const bool was_there : {false, true}) {
     EXPECT_FALSE(is_back_at_the_wrong_place(true, was_there)) << was_there;
     EXPECT_TRUE(is_back_at_the_wrong_place(false, was_there))
-        << was_there << ": nothing tells the places apart";
+        << was_there << ": nothing distinguishes the places";
   }
 }
 

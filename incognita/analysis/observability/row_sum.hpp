@@ -17,7 +17,7 @@ class RowSum {
   void grow(int by);
   /// `rows`: any number x size().
   void add(const Eigen::Ref<const Eigen::MatrixXd>& rows);
-  /// M <- M - rows' rows; `rows`: a few times size().
+  /// M <- M - rows' rows. `rows`: any number x size(); fast for few.
   void subtract(const Eigen::Ref<const Eigen::MatrixXd>& rows);
   /// Rows of M from `first` on: count x size().
   Eigen::MatrixXd rows(int first, int count) const;

@@ -125,7 +125,7 @@ void ObservabilityWatch::use_anchors(const Estimate& estimate) {
       anchors_.emplace(match.id, estimate.landmarks.at(match.id).position);
 }
 
-/// The cost of a tick grows with the square of the map: 5 to 9 ms near the limit, 60 ms if many landmarks leave at once.
+/// The cost of a tick grows with the square of the map: 5 to 9 ms near the limit, in single ticks up to 90 ms.
 bool ObservabilityWatch::exceeds_limit(const Estimate& estimate) {
   too_large_ = too_large_ || estimate.belief.errors() > most_errors;
   if (!too_large_) return false;

@@ -14,7 +14,7 @@ bool Triangle::reserve(int size, int used) {
   grown.stride = round_up_to_panel(grown.capacity);
   if (grown.stride % 512 == 0) grown.stride += 8;  // power-of-two strides share cache sets
   grown.storage = AlignedBuffer(static_cast<std::size_t>(grown.stride) * (grown.capacity + 3));
-  for (int j = 0; j < used; ++j) std::copy_n(column(j), used, grown.column(j));
+  for (int j = 0; j < used; ++j) std::copy(column(j) + j, column(j) + used, grown.column(j) + j);
   *this = std::move(grown);
   return true;
 }

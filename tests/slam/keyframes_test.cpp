@@ -1,6 +1,8 @@
 // Bundle adjustment over keyframes moves the means of the belief to what their matches say.
 #include "incognita/slam/bundle/keyframes.hpp"
 
+#include <algorithm>
+
 #include "incognita/slam/features/predict_matches.hpp"
 #include "incognita/slam/mapper/landmarks.hpp"
 #include "tests/slam/synthetic_scene.hpp"
@@ -68,6 +70,16 @@ struct KeyframeScene {
       const AdjustmentReport report =
           keyframes.adjust(t.estimate, t.camera_block(), camera, {.max_iterations = 20}, {0.5, 0.5}, window);
       ASSERT_NE(report.outcome, AdjustmentReport::Outcome::refused) << k;
+    }
+  }
+  /// Of all landmarks but the anchors, as seen from the first keyframe.
+  void take_wrong_depths() {
+    for (int i = anchors; i < points; ++i) {
+      const Eigen::Vector3d ray = PointLandmark::in_camera<double>(start, truth[static_cast<std::size_t>(i)]);
+      const double depth = i % 2 == 0 ? 0.5 : 40;
+      t.estimate.belief.set_mean(
+          t.landmark(i).block,
+          start.head<3>() + rotation_matrix<double>(free_camera::orientation(start)) * ray * depth / ray.z());
     }
   }
   double camera_error(int keyframe) const {
@@ -276,14 +288,8 @@ TEST(Keyframes, StartAgainFromTwoViewsWhereTheFirstEstimateIsWrong) {
   for (int i = KeyframeScene::anchors; i < KeyframeScene::points; ++i) {
     matches.push_back(
         {i, pixel_of(second, scene.truth[static_cast<std::size_t>(i)]), 0.25 * Eigen::Matrix2d::Identity()});
-    // All depths wrong
-    const Eigen::Vector3d ray =
-        PointLandmark::in_camera<double>(start, scene.truth[static_cast<std::size_t>(i)]);
-    const double depth = i % 2 == 0 ? 0.5 : 40;
-    scene.t.estimate.belief.set_mean(
-        scene.t.landmark(i).block,
-        start.head<3>() + rotation_matrix<double>(free_camera::orientation(start)) * ray * depth / ray.z());
   }
+  scene.take_wrong_depths();
   scene.t.move_to(camera_at({-0.1, 0, 1}, -0.1));
   scene.keyframes.add(scene.t.estimate, scene.t.camera_block(), matches, keyframe_s);
   scene.keyframes.adjust(scene.t.estimate, scene.t.camera_block(), camera, {.max_iterations = 1}, {0.5, 0.5},
@@ -292,6 +298,32 @@ TEST(Keyframes, StartAgainFromTwoViewsWhereTheFirstEstimateIsWrong) {
   const Eigen::Vector3d shift = scene.keyframes.last_view().position - Eigen::Vector3d(start.head<3>());
   EXPECT_GT(shift.normalized().dot(Eigen::Vector3d(0.4, 0.1, 0).normalized()), std::cos(0.05));
   EXPECT_FALSE(scene.keyframes.start_again(camera, {.max_iterations = 2})) << "it is right already";
+}
+
+/// Each trial takes longer than the one before, in the frame of its keyframe.
+TEST(Keyframes, StartAgainAfterTheNearOnesOnlyAtTheLast) {
+  constexpr int last_near = 10;
+  const auto is_tried = [](int k, int window) {
+    const int last = std::min(14, window - 1);
+    return k <= last && (k <= last_near || k == last);
+  };
+  for (const int window : {8, 11, 12, 13, 20}) {
+    KeyframeScene scene(0);
+    for (int i = 0; i < KeyframeScene::anchors; ++i) remove_landmark(scene.t.estimate, i);
+    scene.take_wrong_depths();
+    for (int k = 1; k <= 15; ++k) {
+      std::vector<KeyframeMatch> matches = scene.matches(k);
+      matches.erase(matches.begin(), matches.begin() + KeyframeScene::anchors);
+      scene.t.move_to(camera_at({-0.1, 0, 1}, -0.1));  // wrong
+      scene.keyframes.add(scene.t.estimate, scene.t.camera_block(), matches, k * keyframe_s);
+      scene.keyframes.adjust(scene.t.estimate, scene.t.camera_block(), camera, {.max_iterations = 0},
+                             {0.5, 0.5}, window);
+      if (k == 1) continue;  // two views fit nearly any depths
+      Keyframes tried = scene.keyframes;
+      EXPECT_EQ(tried.start_again(camera, {.max_iterations = 5}), is_tried(k, window))
+          << "keyframe " << k << ", window " << window;
+    }
+  }
 }
 
 TEST(Keyframes, SayHowFarTheFilterMovedTheirPoints) {

@@ -306,6 +306,8 @@ bool Keyframes::is_starting() const {
 
 bool Keyframes::start_again(const Camera& camera, const AdjustmentSettings& settings) {
   if (!is_starting()) return false;
+  // Each trial takes longer than the one before
+  if (last() > max_near_views && last() + 1 < std::min(max_start_views, window_)) return false;
   // Two views fit nearly any depths, and noise alone costs half of the rows
   if (view_count() < 3 && cost_ < static_cast<double>(bundle_.observations.size())) return false;
   if (std::ranges::any_of(bundle_.points, [](const BundlePoint& point) {

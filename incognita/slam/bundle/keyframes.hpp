@@ -59,8 +59,9 @@ class Keyframes {
 
   /// Whether the last keyframe is among the first ones since an origin.
   bool is_starting() const;
-  /// For one of those, without known points: adjusts from flat_start(), reversed_start() and two_view_start(). True if the best of
-  /// them fits the matches better; the keyframes and points are then its own, and the belief is to be renewed from them.
+  /// For the near ones of those and for the last, without known points: adjusts from flat_start(), reversed_start() and
+  /// two_view_start(). True if the best of them fits the matches better; the keyframes and points are then its own, and the
+  /// belief is to be renewed from them.
   bool start_again(const Camera& camera, const AdjustmentSettings& settings);
 
   /// How far the belief moved points since the last adjustment, as seen from the camera: median, px. Large after the filter

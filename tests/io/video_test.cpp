@@ -82,7 +82,7 @@ TEST(Video, IsUsedUpToItsDamage) {
   const std::string bytes = contents(scratch / "whole.avi");
   scratch.write("cut.avi", bytes.substr(0, bytes.size() * 6 / 10));
   const Recording recording = read_video(scratch / "cut.avi");
-  EXPECT_GT(recording.frames.size(), 2u);
+  EXPECT_GE(recording.frames.size(), 2u);
   EXPECT_LT(recording.frames.size(), 20u);
   for (std::size_t k = 0; k < recording.frames.size(); ++k)
     EXPECT_NEAR(shade_of(recording, k), shade(static_cast<int>(k)), 4);

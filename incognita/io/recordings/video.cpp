@@ -100,11 +100,15 @@ std::vector<double> times_of(const std::filesystem::path& file, cv::VideoCapture
   return times;
 }
 
-void note_what_is_missing(double expected, std::size_t found, std::vector<std::string>& notes) {
-  if (expected > static_cast<double>(found) + 0.5)
-    notes.push_back(fmt::format(
-        "the video announces {:.0f} images, and {} can be decoded: the rest is damaged or missing", expected,
-        found));
+/// The last image before a damaged place may be incomplete, which the decoder does not tell.
+void drop_the_last_of_a_damaged_video(double announced, std::vector<double>& times,
+                                      std::vector<std::string>& notes) {
+  if (!(announced > static_cast<double>(times.size()) + 0.5) || times.size() < 2) return;
+  notes.push_back(fmt::format(
+      "the video announces {:.0f} images, and {} can be decoded: the rest is damaged or missing, and the last of "
+      "these is not used",
+      announced, times.size()));
+  times.pop_back();
 }
 
 }  // namespace
@@ -123,12 +127,12 @@ Recording read_video(const std::filesystem::path& file) {
   try {
     cv::VideoCapture video = opened(file);
     const double announced = video.get(cv::CAP_PROP_FRAME_COUNT);
-    const std::vector<double> times = times_of(file, video, recording.notes);
+    std::vector<double> times = times_of(file, video, recording.notes);
+    drop_the_last_of_a_damaged_video(announced, times, recording.notes);
     for (const double t : times) recording.frames.push_back({t, {}});
     recording.notes.push_back(fmt::format("{} images of {}x{} px in {:.2f} s", times.size(),
                                           video.get(cv::CAP_PROP_FRAME_WIDTH),
                                           video.get(cv::CAP_PROP_FRAME_HEIGHT), times.back()));
-    note_what_is_missing(announced, times.size(), recording.notes);
   } catch (const std::runtime_error& error) {
     throw InputError(error.what());
   } catch (const cv::Exception& error) {

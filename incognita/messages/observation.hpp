@@ -9,14 +9,17 @@
 #include <vector>
 
 #include "incognita/math/small_matrix.hpp"
+#include "incognita/models/motion/planar_twist.hpp"
 #include "incognita/vision/image.hpp"
 
 namespace incognita {
 
-/// Wheel odometry, held until the next reading.
+/// Odometry, held until the next reading.
 struct Odometry {
   double t = 0;                     ///< s, on the clock of the ticks
   Eigen::Vector2d input{0.0, 0.0};  ///< as the vehicle's motion model takes it, e.g. m/s and rad/s
+  /// Instead of the input, from odometry that tells how far the body moved, and how well it knows that
+  std::optional<MeasuredTwist> twist = {};
 };
 
 /// Position of the vehicle, measured by an external sensor.

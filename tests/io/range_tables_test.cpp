@@ -111,6 +111,50 @@ TEST(RangeTables, WarnOfFixesOutsideTheOdometry) {
   EXPECT_EQ(note_on("0.1,1,2").find("fixes"), std::string::npos);
 }
 
+const std::string moved = "t_s,dx_m,dy_m,dheading_rad,var_x_m2,var_y_m2,var_heading_rad2,cov_xy_m2\n";
+
+TEST(RangeTables, TakePoseIncrementsWithTheirCovariance) {
+  Tables tables;
+  tables.odometry =
+      moved + "0,0,0,0,0,0,0,0\n0.1,0.05,-0.01,0.2,4e-4,1e-4,1e-6,1e-5\n0.3,0.1,0,0,1e-4,1e-4,0,0\n";
+  const RangeRecording recording = tables.read();
+  EXPECT_EQ(recording.vehicle, "differential-drive");
+  ASSERT_EQ(recording.odometry.size(), 3u);
+  EXPECT_EQ(recording.odometry[0].t, 0);
+  EXPECT_EQ(recording.odometry[2].t, 0.3);
+  EXPECT_EQ(recording.odometry[1].t, 0.1);
+  ASSERT_TRUE(recording.odometry[0].twist);
+  const MeasuredTwist& twist = *recording.odometry[0].twist;
+  EXPECT_NEAR(twist.period_s, 0.1, 1e-12);
+  const auto step = PlanarTwist().step({0, 0, 0}, twist.twist, twist.period_s);
+  EXPECT_LT((step.x - Eigen::Vector3d(0.05, -0.01, 0.2)).norm(), 1e-12);
+  const Eigen::Matrix3d cov = step.G * twist.cov * step.G.transpose();
+  EXPECT_NEAR(cov(0, 0), 4e-4, 1e-12);
+  EXPECT_NEAR(cov(0, 1), 1e-5, 1e-12);
+  EXPECT_NEAR(cov(2, 2), 1e-6, 1e-12);
+  EXPECT_NEAR(recording.odometry[1].twist->twist[0], 0.5, 1e-12);
+  EXPECT_HAS(all_notes(recording), "the noise of the odometry is that of odometry.csv");
+}
+
+TEST(RangeTables, RefuseInvalidIncrements) {
+  EXPECT_HAS(odometry_complaint("t_s,dx_m,dy_m,dheading_rad\n0,0,0,0\n"), "var_x_m2");
+  EXPECT_HAS(odometry_complaint(moved + "0,0,0,0,0,0,0,0\n"), "must be followed by two rows at least");
+  EXPECT_HAS(odometry_complaint(moved + "0,0,0,0,0,0,0,0\n0,1,0,0,1,1,1,0\n"),
+             "odometry.csv:3: t_s must increase");
+  EXPECT_HAS(odometry_complaint(moved + "0,0,0,0,0,0,0,0\n1,1,0,0,-1,1,1,0\n"),
+             "odometry.csv:3: the covariance of the increment is none");
+  EXPECT_HAS(odometry_complaint(moved + "0,0,0,0,0,0,0,0\n1,1,0,0,1,1,1,2\n"),
+             "the covariance of the increment is none");
+  EXPECT_HAS(odometry_complaint(moved + "0,0,0,0,0,0,0,0\n1,1,0,90,1,1,1,0\n"),
+             "the turn since the row before must be within");
+  Tables tables;
+  tables.odometry = moved + "0,1,0,0,0,0,0,0\n0.3,1,0,0,1,1,1,0\n";
+  EXPECT_HAS(all_notes(tables.read()), "odometry.csv:2: the increment of the first row is not used");
+  const Scratch scratch;
+  EXPECT_HAS(message_of([&] { write_range_tables(tables.read(), scratch / "out"); }),
+             "odometry of pose increments is not written as tables");
+}
+
 TEST(RangeTables, AcceptAnyOrderOfColumnsAndOtherStyles) {
   Tables tables;
   tables.odometry =

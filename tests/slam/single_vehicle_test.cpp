@@ -10,6 +10,7 @@
 #include "incognita/math/random.hpp"
 #include "incognita/models/motion/arc_motion.hpp"
 #include "incognita/models/sensors/range_bearing.hpp"
+#include "incognita/slam/estimator/check_observation.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 #include "incognita/slam/mapper/entropy.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
@@ -30,6 +31,13 @@ Observation of_one() {
 }
 
 Pose pose(const Estimate& e) { return e.bodies.front().state; }
+
+/// Turns an error in body axes to the world.
+Eigen::Matrix3d rotated(double heading) {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R.topLeftCorner<2, 2>() = planar::rotation(heading);
+  return R;
+}
 Eigen::Matrix3d covariance(const Estimate& e) { return e.bodies.front().state_covariance; }
 std::size_t map_size(const Estimate& e) { return e.landmarks.size(); }
 
@@ -123,6 +131,47 @@ TEST(SingleVehicle, MapsWhatItSees) {
     EXPECT_EQ(e.status.state, TrackingState::tracking);
     EXPECT_EQ(e.last.matched, 4);
   }
+}
+
+/// Two increments that also go sideways, the second of which is interrupted by a tick.
+TEST(SingleVehicle, FollowsPoseIncrementsWithTheirOwnNoise) {
+  for (const Linearization linearization :
+       {Linearization::analytic, Linearization::unscented_vehicle, Linearization::first_estimate}) {
+    PlanarSlamSettings s = drive_settings();
+    s.filter.linearization = linearization;
+    s.start.sigma_position_m = s.start.sigma_heading_rad = 1e-9;
+    const Eigen::Vector3d first(0.5, 0.2, 0.1), second(0.3, -0.1, -0.4);
+    const Eigen::Matrix3d cov = Eigen::Vector3d(4e-4, 1e-4, 9e-4).asDiagonal();
+    SlamEstimator estimator(single_vehicle(s));
+    Estimate e;
+    Observation observation = of_one();
+    observation.bodies[0].odometry = {{0, {0, 0}, twist_of_increment(first, cov, 1)},
+                                      {1, {0, 0}, twist_of_increment(second, cov, 1)}};
+    const double ticks[] = {1, 1.4, 2};
+    for (int k = 0; k < 3; ++k) {
+      estimator.update(e, {}, observation, {k, ticks[k], k ? ticks[k] - ticks[k - 1] : 0});
+      observation = of_one();
+    }
+    const PlanarTwist motion;
+    const auto after_first = motion.step(Pose(0, 0, 0), twist_of_increment(first, cov, 1)->twist, 1);
+    const auto after = motion.step(after_first.x, twist_of_increment(second, cov, 1)->twist, 1);
+    EXPECT_LT((pose(e) - after.x).norm(), linearization == Linearization::unscented_vehicle ? 1e-3 : 1e-12);
+    // The noise of each increment, in the axes of the pose before it
+    const Eigen::Matrix3d turn = rotated(after_first.x[2]);
+    const Eigen::Matrix3d expected = after.F * cov * after.F.transpose() + turn * cov * turn.transpose();
+    EXPECT_LT((Eigen::Matrix3d(e.body().state_covariance) - expected).norm(), 0.15 * expected.norm())
+        << "parts of a reading share its variance";
+    EXPECT_GT((Eigen::Matrix3d(e.body().state_covariance)).trace(), 0.9 * expected.trace());
+  }
+}
+
+TEST(SingleVehicle, RefusesATwistOfABodyThatIsNotOnThePlane) {
+  PlanarSlamSettings s = drive_settings();
+  EstimatorSettings settings = single_vehicle(s);
+  settings.bodies[0].motion = TerrainVehicle{};
+  Observation observation = of_one();
+  observation.bodies[0].odometry = {{0, {0, 0}, MeasuredTwist{}}};
+  EXPECT_THROW(check_observation(observation, settings), std::invalid_argument);
 }
 
 TEST(SingleVehicle, EveryFilterIsTheSameWhereNothingIsToLinearize) {

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "incognita/math/angles.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/messages/tick.hpp"
 
 namespace incognita {
 namespace {
@@ -25,6 +27,17 @@ void in_radians(const std::string& where, const char* what, double angle, double
   if (std::abs(angle) < limit) return;
   throw InputError(fmt::format("{}: {} must be within +-{:.4g} rad, and is {}; is it in degrees?", where,
                                what, limit, angle));
+}
+
+/// A variance of 0 counts as 1, without correlation; one below 0 makes the result indefinite.
+Eigen::Matrix3d correlations_of(const Eigen::Matrix3d& cov) {
+  Eigen::Vector3d scale;
+  for (int i = 0; i < 3; ++i) scale[i] = cov(i, i) != 0 ? std::sqrt(std::abs(cov(i, i))) : 1;
+  return scale.cwiseInverse().asDiagonal() * cov * scale.cwiseInverse().asDiagonal();
+}
+
+Eigen::Vector3d eigenvalues_of(const Eigen::Matrix3d& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
 template <class First, class Second>
@@ -50,6 +63,25 @@ void RangeRecordingBuilder::add_odometry(const std::string& where, const Odometr
     in_radians(where, "the steering angle", odometry.input[1], std::numbers::pi / 2);
   }
   recording_.odometry.push_back(odometry);
+}
+
+void RangeRecordingBuilder::add_increment(const std::string& where, double from, double to,
+                                          const Eigen::Vector3d& increment, const Eigen::Matrix3d& cov) {
+  if (const Eigen::Matrix3d relative = correlations_of(cov); !(eigenvalues_of(relative).minCoeff() > -1e-9))
+    throw InputError(fmt::format(
+        "{}: the covariance of the increment is none: its variances must be 0 or more, and no correlation beyond +-1",
+        where));
+  in_radians(where, "the turn since the row before", increment[2], std::numbers::pi);
+  const double start = rounded_to_us(from), period = rounded_to_us(to) - start;
+  const auto twist = twist_of_increment(increment, cov, period);
+  if (!twist) throw InputError(fmt::format("{}: t_s must increase from row to row", where));
+  add_odometry(where, {from, {twist->twist[0], twist->twist[2]}, twist});
+}
+
+void RangeRecordingBuilder::end_increments(const std::string& where, double t) {
+  Odometry held = recording_.odometry.back();
+  held.t = t;
+  add_odometry(where, held);
 }
 
 void RangeRecordingBuilder::add_scan(const std::string& where, double t) {

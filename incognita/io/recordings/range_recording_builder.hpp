@@ -16,6 +16,11 @@ class RangeRecordingBuilder {
   RangeRecordingBuilder(std::string format, std::string vehicle);
 
   void add_odometry(const std::string& where, const Odometry& odometry);
+  /// A pose increment (m, m, rad; axes of the pose before) between two times, with its covariance.
+  void add_increment(const std::string& where, double from, double to, const Eigen::Vector3d& increment,
+                     const Eigen::Matrix3d& cov);
+  /// The last increment ends at `t`, from where its velocity is held, as that of other readings.
+  void end_increments(const std::string& where, double t);
   /// Begins a scan, or continues the last one if the time is the same.
   void add_scan(const std::string& where, double t);
   /// Adds to the last scan. Skipped if range or bearing is not finite or the range is not positive.

@@ -75,6 +75,61 @@ void read_odometry(const NamedTable& table, const Vehicle& vehicle, RangeRecordi
   }
 }
 
+constexpr const char* increments[] = {"dx_m", "dy_m", "dheading_rad"};
+
+bool has_increments(const NamedTable& table) { return table.find(increments[0]).has_value(); }
+
+/// Columns of pose increments: how far the axle moved since the row before, in its axes there, and the covariance of that.
+struct IncrementColumns {
+  explicit IncrementColumns(const NamedTable& table)
+      : t(table.column("t_s")),
+        moved{table.column(increments[0]), table.column(increments[1]), table.column(increments[2])},
+        variances{table.column("var_x_m2"), table.column("var_y_m2"), table.column("var_heading_rad2")},
+        covariances{table.find("cov_xy_m2"), table.find("cov_x_heading_m_rad"),
+                    table.find("cov_y_heading_m_rad")} {}
+
+  Eigen::Vector3d increment(const NamedTable& table, std::size_t row) const {
+    return {table.finite(row, moved[0]), table.finite(row, moved[1]), table.finite(row, moved[2])};
+  }
+  Eigen::Matrix3d covariance(const NamedTable& table, std::size_t row) const {
+    Eigen::Matrix3d cov = Eigen::Matrix3d::Zero();
+    for (int i = 0; i < 3; ++i) cov(i, i) = table.finite(row, variances[static_cast<std::size_t>(i)]);
+    constexpr int pairs[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [i, j] = pairs[k];
+      if (covariances[k]) cov(i, j) = cov(j, i) = table.finite(row, *covariances[k]);
+    }
+    return cov;
+  }
+
+  std::size_t t;
+  std::array<std::size_t, 3> moved, variances;
+  std::array<std::optional<std::size_t>, 3> covariances;
+};
+
+/// The motion between two rows is spread evenly over the time between them, so that it is a reading at the first of them.
+void read_increments(const NamedTable& table, RangeRecordingBuilder& recording) {
+  const IncrementColumns columns(table);
+  note_unused(table,
+              {"t_s", increments[0], increments[1], increments[2], "var_x_m2", "var_y_m2", "var_heading_rad2",
+               "cov_xy_m2", "cov_x_heading_m_rad", "cov_y_heading_m_rad"},
+              recording);
+  recording.note(
+      "the noise of the odometry is that of odometry.csv; vehicle.sigma_speed_m_s and vehicle.sigma_turn_rate_rad_s have no effect");
+  if (table.rows() < 2)
+    throw InputError(
+        fmt::format("{}: must be followed by two rows at least: a row tells the motion since the row before",
+                    table.header()));
+  if (!columns.increment(table, 0).isZero())
+    recording.note(fmt::format("{}: the increment of the first row is not used: nothing tells when it began",
+                               table.where(0)));
+  for (std::size_t row = 1; row < table.rows(); ++row)
+    recording.add_increment(table.where(row), table.finite(row - 1, columns.t), table.finite(row, columns.t),
+                            columns.increment(table, row), columns.covariance(table, row));
+  const std::size_t last = table.rows() - 1;
+  recording.end_increments(table.where(last), table.finite(last, columns.t));
+}
+
 void read_detections(const NamedTable& table, RangeRecordingBuilder& recording) {
   const std::size_t t = table.column("t_s"), range = table.column("range_m"),
                     bearing = table.column("bearing_rad");
@@ -122,6 +177,10 @@ std::string identity_text(std::int64_t identity) {
 }
 
 std::string odometry_text(const RangeRecording& recording) {
+  for (const Odometry& one : recording.odometry)
+    if (one.twist)
+      throw InputError(
+          "odometry of pose increments is not written as tables: use the tables that it was read from");
   for (const Vehicle& vehicle : vehicles) {
     if (recording.vehicle != vehicle.name) continue;
     std::string text = fmt::format("t_s,{},{}\n", vehicle.inputs[0], vehicle.inputs[1]);
@@ -192,9 +251,13 @@ bool looks_like_range_tables(const std::filesystem::path& folder) {
 
 RangeRecording read_range_tables(const std::filesystem::path& folder) {
   const NamedTable odometry(folder / odometry_file);
-  const Vehicle& vehicle = vehicle_of(odometry);
+  const bool moves = has_increments(odometry);
+  const Vehicle& vehicle = moves ? vehicles[0] : vehicle_of(odometry);
   RangeRecordingBuilder recording("tables", vehicle.name);
-  read_odometry(odometry, vehicle, recording);
+  if (moves)
+    read_increments(odometry, recording);
+  else
+    read_odometry(odometry, vehicle, recording);
   read_detections(NamedTable(folder / detections_file), recording);
   if (file_exists(folder / truth_file)) {
     read_places(NamedTable(folder / truth_file), recording, &RangeRecordingBuilder::add_truth);

@@ -33,6 +33,13 @@ void check_detections(const BodyObservation& observed, std::size_t body, const E
   }
 }
 
+void check_odometry(const BodyObservation& observed, std::size_t body, const EstimatorSettings& s) {
+  for (const Odometry& reading : observed.odometry)
+    if (reading.twist && !traits_of(s.bodies[body].motion).is_planar_pose())
+      throw std::invalid_argument("an odometry reading of body " + std::to_string(body + 1) +
+                                  " is a twist on a plane, and the body does not move on one");
+}
+
 }  // namespace
 
 void check_observation(const Observation& observation, const EstimatorSettings& s) {
@@ -40,7 +47,10 @@ void check_observation(const Observation& observation, const EstimatorSettings& 
   if (observation.bodies.size() != s.bodies.size())
     throw std::invalid_argument("observations of " + std::to_string(observation.bodies.size()) +
                                 " vehicles were given to an estimator of " + std::to_string(s.bodies.size()));
-  for (std::size_t i = 0; i < s.bodies.size(); ++i) check_detections(observation.bodies[i], i, s);
+  for (std::size_t i = 0; i < s.bodies.size(); ++i) {
+    check_detections(observation.bodies[i], i, s);
+    check_odometry(observation.bodies[i], i, s);
+  }
 }
 
 }  // namespace incognita

@@ -47,6 +47,7 @@ void stop_and_search(Estimate& e, std::size_t i, const EstimatorSettings& settin
   }
   e.belief.predict({e.bodies[i].block, x, A, sigmas.cwiseAbs2().asDiagonal()});
   e.bodies[i].input.reset();
+  e.bodies[i].twist.reset();
   e.bodies[i].input_period = 0;
 }
 
@@ -56,6 +57,7 @@ void put_body(Estimate& e, std::size_t i, const SmallVector& state, const SmallM
   e.belief.predict({body.block, state, SmallMatrix::Zero(errors, errors), P});
   body.prediction = state;
   body.input.reset();
+  body.twist.reset();
   body.input_period = 0;
 }
 

@@ -10,35 +10,58 @@
 namespace incognita {
 namespace {
 
+template <class Model>
+LinearizedMotion linearized_by(const Model& model, Linearization linearization, const AnyBelief& belief,
+                               BlockId block, const SmallVector& input, const SmallMatrix& Q, double dt) {
+  constexpr int m = Model::input_size;
+  const typename Model::template Input<double> u = input;
+  const Eigen::Matrix<double, m, m> noise = Q;
+  if (linearization == Linearization::unscented_vehicle) return unscented(model, belief, block, u, noise, dt);
+  return linearized(model, belief, block, u, noise, dt);
+}
+
 LinearizedMotion linearized_motion(const AnyMotion& motion, Linearization linearization,
                                    const AnyBelief& belief, BlockId block, const SmallVector& input,
                                    const SmallMatrix& Q, double dt) {
-  const auto by = [&](const auto& model) {
-    using Model = std::decay_t<decltype(model)>;
-    constexpr int m = Model::input_size;
-    const typename Model::template Input<double> u = input;
-    const Eigen::Matrix<double, m, m> noise = Q;
-    if (linearization == Linearization::unscented_vehicle)
-      return unscented(model, belief, block, u, noise, dt);
-    return linearized(model, belief, block, u, noise, dt);
-  };
-  return std::visit([&](const auto& model) { return by(integrator_of(model)); }, motion);
+  return std::visit(
+      [&](const auto& model) {
+        return linearized_by(integrator_of(model), linearization, belief, block, input, Q, dt);
+      },
+      motion);
 }
 
-/// Predicts with one input held for `dt` seconds. Its noise is constant over a reading of `period` seconds: a
-/// part of a reading gets a share of the variance such that parts that add up to T seconds give T^2 Q.
-void hold(Estimate& e, std::size_t which, const SmallVector& input, double dt, double period,
-          const EstimatorSettings& settings) {
-  const BodyModel& model = settings.bodies[which];
+void predict(Estimate& e, std::size_t which, LinearizedMotion motion, const EstimatorSettings& settings) {
   Body& body = e.bodies[which];
-  const SmallMatrix Q = model.input_sigmas.cwiseAbs2().asDiagonal() * std::max(1.0, period / dt);
-  LinearizedMotion motion =
-      linearized_motion(model.motion, settings.filter.linearization, e.belief, body.block, input, Q, dt);
   if (settings.filter.linearization == Linearization::first_estimate)
     motion.A =
         planar::jacobian_between(planar::Pose<double>(body.prediction), planar::Pose<double>(motion.x_next));
   body.prediction = motion.x_next;
   e.belief.predict(motion);
+}
+
+/// Share of the variance of a reading that is constant over `period` seconds, for a part of it: parts that add up to T
+/// seconds give T^2 Q.
+double variance_share(double period, double dt) { return std::max(1.0, period / dt); }
+
+/// Predicts with one input held for `dt` seconds. Its noise is constant over a reading of `period` seconds.
+void hold(Estimate& e, std::size_t which, const SmallVector& input, double dt, double period,
+          const EstimatorSettings& settings) {
+  const BodyModel& model = settings.bodies[which];
+  const SmallMatrix Q = model.input_sigmas.cwiseAbs2().asDiagonal() * variance_share(period, dt);
+  predict(e, which,
+          linearized_motion(model.motion, settings.filter.linearization, e.belief, e.bodies[which].block,
+                            input, Q, dt),
+          settings);
+}
+
+/// The same with a twist, which has its own noise.
+void hold_twist(Estimate& e, std::size_t which, const MeasuredTwist& twist, double dt,
+                const EstimatorSettings& settings) {
+  const SmallMatrix Q = twist.cov * variance_share(twist.period_s, dt);
+  predict(e, which,
+          linearized_by(PlanarTwist{}, settings.filter.linearization, e.belief, e.bodies[which].block,
+                        twist.twist, Q, dt),
+          settings);
 }
 
 void hold_until(Estimate& e, std::size_t which, double until, bool whole_us,
@@ -47,8 +70,22 @@ void hold_until(Estimate& e, std::size_t which, double until, bool whole_us,
   const double dt = duration_s(body.t, until, whole_us);
   if (!(dt > 0)) return;
   body.t = until;
+  if (body.twist) return hold_twist(e, which, *body.twist, dt, settings);
   // The duration of the current reading is not known yet: that of the previous one is used
   if (body.input) hold(e, which, *body.input, dt, body.input_period, settings);
+}
+
+/// The twist of the point that is the state, from that of the axle.
+std::optional<MeasuredTwist> twist_of_state(const Odometry& reading, const AnyMotion& motion) {
+  if (!reading.twist) return std::nullopt;
+  return std::visit(
+      [&](const auto& model) {
+        if constexpr (requires { model.point().forward_m; })
+          return twist_of_point(*reading.twist, model.point().forward_m, model.point().left_m);
+        else
+          return *reading.twist;
+      },
+      motion);
 }
 
 void correct_by_fix(Estimate& e, std::size_t which, const PositionReading& fix,
@@ -89,6 +126,7 @@ void predict_through_readings(Estimate& e, std::size_t which, const BodyObservat
     if (body.input && reading.t > body.input_t)
       body.input_period = duration_s(body.input_t, reading.t, tick.whole_us);
     body.input = reading.input;
+    body.twist = twist_of_state(reading, settings.bodies[which].motion);
     body.input_t = reading.t;
   }
   use_fixes_until(tick.t);

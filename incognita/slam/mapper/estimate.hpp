@@ -15,6 +15,7 @@
 
 #include "incognita/belief/any_belief.hpp"
 #include "incognita/models/any_sensor.hpp"
+#include "incognita/models/motion/planar_twist.hpp"
 #include "incognita/slam/mapper/entropy_values.hpp"
 #include "incognita/slam/mapper/status.hpp"
 
@@ -47,10 +48,11 @@ struct Body {
   double t = 0;            ///< s, time of the prediction
   /// s, of the position fix that is its start position, which is no measurement of it; none: it starts elsewhere
   std::optional<double> first_fix_t;
-  std::optional<SmallVector> input;       ///< last odometry reading, held until the next
-  std::optional<MeasuredTwist> twist;     ///< instead of the input, of that reading; of the point that is the state
-  double input_t = 0;                     ///< s, time of that reading
-  double input_period = 0;                ///< s, between the last two readings; 0 before the second
+  std::optional<SmallVector> input;  ///< last odometry reading, held until the next
+  std::optional<MeasuredTwist>
+      twist;                ///< instead of the input, of that reading; of the point that is the state
+  double input_t = 0;       ///< s, time of that reading
+  double input_period = 0;  ///< s, between the last two readings; 0 before the second
   std::optional<Eigen::Vector2d> wheels;  ///< speed, m/s, turn rate, rad/s, of a camera's carrier
 
   // After the last tick, in the world

@@ -80,7 +80,11 @@ function buildPage(session, indices) {
         if (mode !== 'live' || !(error instanceof TypeError)) session.report(text);
       }),
   );
-  exposeForTests(runs, () => views.map((view) => view.scene()));
+  exposeForTests(
+    runs,
+    () => views.map((view) => view.scene()),
+    () => views[0]?.deviceCamera ?? null,
+  );
 
   const showMode = () =>
     (byId('mode').textContent = `${session.loop.ended ? 'live run, ended' : mode}, version ${version}`);

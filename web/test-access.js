@@ -2,8 +2,11 @@
 /** @typedef {import('./scene/scene-view.js').SceneView} SceneView */
 /** @typedef {import('./state/run-state.js').RunState} RunState */
 
-/** @param {RunState[]} runs @param {() => (SceneView | null)[]} scenes */
-export function exposeForTests(runs, scenes) {
+/**
+ * @param {RunState[]} runs @param {() => (SceneView | null)[]} scenes
+ * @param {() => import('./device-camera/device-camera.js').DeviceCamera | null} deviceCamera
+ */
+export function exposeForTests(runs, scenes, deviceCamera) {
   const first = () => scenes()[0];
   /** @type {any} */ (window).incognita = {
     landmarkCount: () => first()?.landmarks.count ?? 0,
@@ -22,6 +25,9 @@ export function exposeForTests(runs, scenes) {
     },
     get snapshot() {
       return runs[0].snapshot;
+    },
+    get deviceCamera() {
+      return deviceCamera();
     },
     runs,
     scenes,

@@ -30,7 +30,7 @@ file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/io)
 incognita_embed(${PROJECT_SOURCE_DIR}/scenarios embedded_files *.toml targets/*.toml targets/*.pgm)
 incognita_embed(${PROJECT_SOURCE_DIR}/systems embedded_systems *.toml)
 
-incognita_module(io FOLDERS io/formats io/scenario io/recordings SOURCES ${embedded_sources}
+incognita_module(io FOLDERS io/formats io/scenario io/recordings io/cameras SOURCES ${embedded_sources}
                  USES incognita::models incognita::messages incognita::analysis
                  PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs opencv_imgproc opencv_videoio PkgConfig::MATIO PkgConfig::YAML_CPP)
 target_compile_definitions(incognita_io PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")

@@ -7,14 +7,18 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/ssl/context.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
+#include <boost/beast/ssl.hpp>
 #include <boost/beast/websocket.hpp>
+#include <boost/beast/websocket/ssl.hpp>
 #include <chrono>
 #include <optional>
 #include <set>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 #include "incognita/live/refusal_log.hpp"
@@ -28,14 +32,17 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
 namespace net = boost::asio;
+namespace ssl = net::ssl;
 using tcp = net::ip::tcp;
+using Plain = beast::tcp_stream;
+using Encrypted = beast::ssl_stream<beast::tcp_stream>;
 using Error = beast::error_code;
 
 constexpr std::size_t most_header_bytes = 8u << 10;
 constexpr std::chrono::seconds request_time{10};  // to send a whole request
 constexpr const char* websocket_path = "/ws";
 constexpr const char* security_policy =
-    "default-src 'self'; connect-src 'self' ws:; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; "
+    "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; "
     "object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 std::string_view view_of(beast::string_view text) { return {text.data(), text.size()}; }
@@ -77,14 +84,22 @@ class Place {
   Shared* shared_;
 };
 
-class WebSocketSession;
-using Sessions = std::set<std::shared_ptr<WebSocketSession>>;
+class Session {
+ public:
+  virtual ~Session() = default;
+  /// Without a farewell: for a viewer that does not read, and at the end of the program.
+  virtual void disconnect() = 0;
+};
+using Sessions = std::set<std::shared_ptr<Session>>;
 
 /// A viewer. Stays in `sessions` until its connection ends.
-class WebSocketSession final : public Viewer, public std::enable_shared_from_this<WebSocketSession> {
+template <class Stream>
+class WebSocketSession final : public Viewer,
+                               public Session,
+                               public std::enable_shared_from_this<WebSocketSession<Stream>> {
  public:
-  WebSocketSession(beast::tcp_stream stream, Place place, Shared& shared, Sessions& sessions,
-                   std::string subprotocol, std::shared_ptr<ViewerProtocol> protocol)
+  WebSocketSession(Stream stream, Place place, Shared& shared, Sessions& sessions, std::string subprotocol,
+                   std::shared_ptr<ViewerProtocol> protocol)
       : socket_(std::move(stream)),
         place_(std::move(place)),
         shared_(shared),
@@ -101,9 +116,9 @@ class WebSocketSession final : public Viewer, public std::enable_shared_from_thi
     socket_.set_option(websocket::stream_base::decorator([this](websocket::response_type& response) {
       response.set(http::field::sec_websocket_protocol, subprotocol_);
     }));
-    socket_.read_message_max(shared_.settings.max_message_bytes);
-    sessions_.insert(shared_from_this());
-    socket_.async_accept(request, [self = shared_from_this()](Error error) { self->accepted(error); });
+    socket_.read_message_max(largest_message_bytes());
+    sessions_.insert(this->shared_from_this());
+    socket_.async_accept(request, [self = this->shared_from_this()](Error error) { self->accepted(error); });
   }
 
   void send(LiveMessage message) override {
@@ -117,8 +132,7 @@ class WebSocketSession final : public Viewer, public std::enable_shared_from_thi
 
   void add_dropped(std::uint64_t count) override { outbox_.add_dropped(count); }
 
-  /// Without a farewell: for a viewer that does not read, and at the end of the program.
-  void disconnect() {
+  void disconnect() override {
     closing_ = true;
     Error ignored;
     beast::get_lowest_layer(socket_).socket().close(ignored);
@@ -134,7 +148,7 @@ class WebSocketSession final : public Viewer, public std::enable_shared_from_thi
 
   void read_next() {
     socket_.async_read(incoming_,
-                       [self = shared_from_this()](Error error, std::size_t) { self->read(error); });
+                       [self = this->shared_from_this()](Error error, std::size_t) { self->read(error); });
   }
 
   void read(Error error) {
@@ -159,7 +173,7 @@ class WebSocketSession final : public Viewer, public std::enable_shared_from_thi
     if (writing_->counts_drops) writing_->prefix += std::to_string(outbox_.dropped());
     socket_.binary(writing_->binary);
     const std::array<net::const_buffer, 2> parts{net::buffer(writing_->prefix), net::buffer(*writing_->body)};
-    socket_.async_write(parts, [self = shared_from_this()](Error error, std::size_t) {
+    socket_.async_write(parts, [self = this->shared_from_this()](Error error, std::size_t) {
       self->writing_.reset();
       if (!error && !self->closing_) self->write_next();
     });
@@ -168,16 +182,21 @@ class WebSocketSession final : public Viewer, public std::enable_shared_from_thi
   void leave(Error error) {
     closing_ = true;
     if (error == websocket::error::message_too_big)
-      shared_.log.add("a message was refused: it has more than " +
-                      std::to_string(shared_.settings.max_message_bytes) + " bytes");
+      shared_.log.add("a message was refused: it has more than " + std::to_string(largest_message_bytes()) +
+                      " bytes");
     else if (error == beast::error::timeout)
       shared_.log.add("a viewer was disconnected: it was silent for " +
                       std::to_string(shared_.settings.idle_s) + " s");
     if (std::exchange(joined_, false)) protocol_->left(id_);
-    sessions_.erase(shared_from_this());
+    sessions_.erase(this->shared_from_this());
   }
 
-  websocket::stream<beast::tcp_stream> socket_;
+  std::size_t largest_message_bytes() const {
+    const std::size_t of_protocol = protocol_->largest_message_bytes();
+    return of_protocol > 0 ? of_protocol : shared_.settings.max_message_bytes;
+  }
+
+  websocket::stream<Stream> socket_;
   Place place_;
   Shared& shared_;
   Sessions& sessions_;
@@ -191,16 +210,29 @@ class WebSocketSession final : public Viewer, public std::enable_shared_from_thi
 };
 
 /// Answers requests until one asks for a WebSocket, or the client leaves.
-class HttpSession : public std::enable_shared_from_this<HttpSession> {
+template <class Stream>
+class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
  public:
-  HttpSession(tcp::socket socket, Shared& shared, Sessions& sessions)
-      : from_(origin_of(socket)),
-        stream_(std::move(socket)),
+  HttpSession(Stream stream, Shared& shared, Sessions& sessions)
+      : from_(origin_of(beast::get_lowest_layer(stream).socket())),
+        stream_(std::move(stream)),
         place_(shared),
         shared_(shared),
         sessions_(sessions) {}
 
-  void run() { read_next(); }
+  void run() {
+    if constexpr (std::is_same_v<Stream, Encrypted>) {
+      beast::get_lowest_layer(stream_).expires_after(request_time);
+      stream_.async_handshake(ssl::stream_base::server, [self = this->shared_from_this()](Error error) {
+        if (!error) return self->read_next();
+        self->shared_.log.add("a connection of " + self->from_ +
+                              " was refused: it is not encrypted as it must be (" + words(error) +
+                              "); open the address with https, and accept the certificate");
+      });
+    } else {
+      read_next();
+    }
+  }
 
  private:
   using Parser = http::request_parser<http::string_body>;
@@ -210,9 +242,9 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     parser_.emplace();
     parser_->header_limit(most_header_bytes);
     parser_->body_limit(0);
-    stream_.expires_after(request_time);
+    beast::get_lowest_layer(stream_).expires_after(request_time);
     http::async_read(stream_, buffer_, *parser_,
-                     [self = shared_from_this()](Error error, std::size_t) { self->read(error); });
+                     [self = this->shared_from_this()](Error error, std::size_t) { self->read(error); });
   }
 
   void read(Error error) {
@@ -265,8 +297,8 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     const std::string offered(view_of(request[http::field::sec_websocket_protocol]));
     for (const auto& [name, protocol] : shared_.handlers.protocols) {
       if (!http::token_list(offered).exists(name)) continue;
-      std::make_shared<WebSocketSession>(std::move(stream_), std::move(place_), shared_, sessions_, name,
-                                         protocol)
+      std::make_shared<WebSocketSession<Stream>>(std::move(stream_), std::move(place_), shared_, sessions_,
+                                                 name, protocol)
           ->run(request);
       return;
     }
@@ -297,21 +329,26 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
     if (!head && answer.body) response_->body() = *answer.body;
     response_->prepare_payload();
     if (head && answer.body) response_->content_length(answer.body->size());
-    stream_.expires_after(request_time);
-    http::async_write(stream_, *response_, [self = shared_from_this(), keep_alive](Error error, std::size_t) {
-      if (error) return;
-      if (keep_alive) return self->read_next();
-      self->close();
-    });
+    beast::get_lowest_layer(stream_).expires_after(request_time);
+    http::async_write(stream_, *response_,
+                      [self = this->shared_from_this(), keep_alive](Error error, std::size_t) {
+                        if (error) return;
+                        if (keep_alive) return self->read_next();
+                        self->close();
+                      });
   }
 
   void close() {
-    Error ignored;
-    stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+    if constexpr (std::is_same_v<Stream, Encrypted>) {
+      stream_.async_shutdown([self = this->shared_from_this()](Error) {});
+    } else {
+      Error ignored;
+      stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+    }
   }
 
   std::string from_;
-  beast::tcp_stream stream_;
+  Stream stream_;
   Place place_;
   Shared& shared_;
   Sessions& sessions_;
@@ -325,7 +362,26 @@ class HttpSession : public std::enable_shared_from_this<HttpSession> {
 
 struct Server::Implementation {
   Implementation(ServerSettings settings, ServerHandlers handlers)
-      : shared{std::move(settings), handlers, RefusalLog(handlers.log)} {}
+      : shared{std::move(settings), handlers, RefusalLog(handlers.log)} {
+    if (encrypts()) read_certificate();
+  }
+
+  bool encrypts() const { return !shared.settings.certificate.empty(); }
+
+  void read_certificate() {
+    const auto read = [](const std::filesystem::path& file, auto&& use) {
+      Error error;
+      use(file.string(), error);
+      if (error)
+        throw InputError(file.string() + ": cannot be used for encryption: " + words(error) +
+                         "; remove it, and it is made anew");
+    };
+    read(shared.settings.certificate,
+         [&](const std::string& file, Error& error) { encryption.use_certificate_chain_file(file, error); });
+    read(shared.settings.certificate_key, [&](const std::string& file, Error& error) {
+      encryption.use_private_key_file(file, ssl::context::pem, error);
+    });
+  }
 
   void listen() {
     Error error;
@@ -353,9 +409,18 @@ struct Server::Implementation {
         shared.log.add("a connection of " + origin_of(socket) + " was refused: there are " +
                        std::to_string(shared.connections) + ", the most that may be");
       else
-        std::make_shared<HttpSession>(std::move(socket), shared, sessions)->run();
+        answer(std::move(socket));
       accept();
     });
+  }
+
+  void answer(tcp::socket socket) {
+    if (encrypts())
+      std::make_shared<HttpSession<Encrypted>>(Encrypted(Plain(std::move(socket)), encryption), shared,
+                                               sessions)
+          ->run();
+    else
+      std::make_shared<HttpSession<Plain>>(Plain(std::move(socket)), shared, sessions)->run();
   }
 
   /// A task that fails, such as one that runs out of memory, ends neither the server nor the run.
@@ -389,6 +454,7 @@ struct Server::Implementation {
 
   Shared shared;
   Sessions sessions;
+  ssl::context encryption{ssl::context::tls_server};
   net::io_context context{1};
   tcp::acceptor acceptor{context};
   net::steady_timer pause{context};
@@ -419,8 +485,9 @@ std::string Server::address() const {
   const ServerSettings& settings = implementation_->shared.settings;
   const bool v6 = settings.address.find(':') != std::string::npos;
   const std::string& token = settings.access.token;
-  return "http://" + (v6 ? "[" + settings.address + "]" : settings.address) + ":" + std::to_string(port()) +
-         "/" + (token.empty() ? "" : "?token=" + token);
+  return (implementation_->encrypts() ? "https://" : "http://") +
+         (v6 ? "[" + settings.address + "]" : settings.address) + ":" + std::to_string(port()) + "/" +
+         (token.empty() ? "" : "?token=" + token);
 }
 
 void Server::post(std::function<void()> task) { net::post(implementation_->context, std::move(task)); }

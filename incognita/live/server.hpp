@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -20,6 +21,8 @@ struct ServerSettings {
   std::string address = "127.0.0.1";  ///< numerical; "0.0.0.0" for all
   std::uint16_t port = 0;             ///< 0: any free one
   AccessRules access;
+  /// PEM files: with them, the connection is encrypted, and the address begins with https; docs/live-page.md.
+  std::filesystem::path certificate = {}, certificate_key = {};
   std::size_t max_connections = 64;  ///< HTTP and WebSocket together
   std::size_t max_message_bytes = 64u << 10;
   int idle_s = 30;  ///< after which a silent connection is closed; WebSocket viewers are pinged before
@@ -57,8 +60,10 @@ class ViewerProtocol {
   /// `id` is unique; `viewer` is valid until left().
   virtual void joined(std::uint64_t id, Viewer& viewer) = 0;
   virtual void left(std::uint64_t id) = 0;
-  /// A message of a viewer, of at most max_message_bytes.
+  /// A message of a viewer, of at most largest_message_bytes().
   virtual void received(std::uint64_t id, std::string_view message, bool binary) = 0;
+  /// 0: max_message_bytes of the server.
+  virtual std::size_t largest_message_bytes() const { return 0; }
 };
 
 struct ServerHandlers {

@@ -3,7 +3,9 @@ import { PlotSet } from '../plots/plot-set.js';
 import { cameraPanel } from './camera-panel.js';
 import { controlPanel } from './control.js';
 import { decisionPanel } from './decision.js';
+import { deviceCameraPanel } from './device-camera.js';
 import { element } from './dom.js';
+import { instructionLine } from './instruction.js';
 import { observabilityPanel } from './observability.js';
 import { scenePanel } from './scene-panel.js';
 import { statusLine } from './status.js';
@@ -18,10 +20,17 @@ export function runView(run, name, session, clock) {
   const scene = scenePanel(run);
   const camera = cameraPanel(run);
   const plots = new PlotSet(run, clock);
+  const device = session.control ? deviceCameraPanel(run, session) : null;
   const made = element(
     'section',
     { class: 'run', 'aria-label': `Run ${name}` },
-    statusLine(run, session, clock),
+    element(
+      'div',
+      { class: 'top-lines' },
+      statusLine(run, session, clock),
+      instructionLine(run),
+      ...(device ? [device.element] : []),
+    ),
     element(
       'div',
       { class: 'views' },
@@ -38,6 +47,7 @@ export function runView(run, name, session, clock) {
     element: made,
     preset: scene.preset,
     scene: scene.view,
+    deviceCamera: device?.camera ?? null,
     savePlots: () => plots.save(),
     updateTheme() {
       scene.updateTheme();

@@ -25,6 +25,7 @@
  * @property {Camera} [camera]
  * @property {Box & {boxes?: Box[]}} [room]
  * @property {Terrain} [terrain]
+ * @property {{source: string, width: number, height: number}} [live_camera] from which the run takes its images
  * @property {string} [effective_toml]
  * @property {string[]} [disturbances]
  * @property {boolean} [manual]

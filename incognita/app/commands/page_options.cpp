@@ -9,6 +9,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "incognita/app/console/print_message.hpp"
+#include "incognita/app/console/qr_code.hpp"
+#include "incognita/live/certificate.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -35,21 +38,55 @@ void add_access_options(CLI::App& command, PageOptions& options) {
                   "Let a viewer on that site connect, e.g. https://app.foxglove.dev")
       ->type_name("ORIGIN")
       ->allow_extra_args(false);
+  command.add_flag("--https", options.https,
+                   "Encrypt the page: other devices give their camera to encrypted pages only");
+  command.add_flag("--phone", options.phone,
+                   "Serve the page to a phone: encrypted, at all addresses, with a QR code to open it");
 }
+
+namespace {
+
+std::string listened_address(const PageOptions& options) {
+  const bool is_default = options.address == PageOptions{}.address;
+  if (options.phone && is_default) return "0.0.0.0";
+  return options.address == "localhost" ? "127.0.0.1" : options.address;
+}
+
+void encrypt(ServerSettings& settings) {
+  const Certificate certificate = certificate_in(certificate_folder(), own_addresses());
+  settings.certificate = certificate.file, settings.certificate_key = certificate.key;
+  if (certificate.is_new)
+    print_message(
+        "view: a certificate for this machine was made, {}: a browser warns of it once on each device, since no authority signed it\n",
+        certificate.file.string());
+}
+
+}  // namespace
 
 ServerSettings server_settings(const PageOptions& options) {
   ServerSettings settings;
-  settings.address = options.address == "localhost" ? "127.0.0.1" : options.address;
+  settings.address = listened_address(options);
   settings.port = options.port.empty() ? 0 : port_of(options.port);
   settings.access.allowed_origins = options.allowed_origins;
   if (!is_loopback(settings.address)) settings.access.token = random_token();
+  if (options.https || options.phone) encrypt(settings);
   return settings;
 }
 
-std::string hint_for_other_machines(const PageOptions& options) {
-  if (options.address != "0.0.0.0" && options.address != "::") return "";
-  return fmt::format("on another machine, open it with this one's name or address in place of {}\n",
-                     options.address);
+std::string hint_for_other_machines(const PageOptions& options, const std::string& address) {
+  const std::string all = listened_address(options);
+  if (all != "0.0.0.0" && all != "::") return "";
+  const std::string written = all == "::" ? "[::]" : all;
+  const std::vector<std::string> own = own_addresses();
+  if (own.empty()) return "this machine has no address in a network: connect it to that of the phone\n";
+  std::string lines;
+  for (const std::string& one : own) {
+    std::string there = address;
+    there.replace(there.find(written), written.size(), one);
+    lines += fmt::format("on another device open {}\n", there);
+    if (isatty(STDERR_FILENO) && &one == &own.front()) lines += qr_code(there);
+  }
+  return lines;
 }
 
 void open_in_browser(const std::string& address) {

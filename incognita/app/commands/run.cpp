@@ -111,9 +111,10 @@ void check(const RunOptions& options) {
   if (options.scenario.empty())
     throw InputError("the scenario is empty; a file or the name of a built-in one is required");
   if (options.out && options.out->empty()) throw InputError("--out: is empty; a folder is required");
+  const PageOptions& page = options.page;
   if (options.view.empty() &&
-      (options.page.address != PageOptions{}.address || !options.page.allowed_origins.empty()))
-    throw InputError("--view-address and --allow-origin: only with --view");
+      (page.address != PageOptions{}.address || !page.allowed_origins.empty() || page.https))
+    throw InputError("--view-address, --allow-origin and --https: only with --view");
   if (options.replay_commands && !options.view.empty())
     throw InputError("--replay-commands and --view: only one of them at a time");
 }
@@ -133,12 +134,19 @@ LoadedScenario load_or_repeat(RunOptions& options) {
   return loaded;
 }
 
+/// replay.toml: the scenario that repeats a live run from its images.
+void write_replay(const LoadedScenario& loaded, const std::string& out) {
+  write_whole_file(std::filesystem::path(out) / "replay.toml", replay_toml(loaded, "recording"));
+}
+
 /// One run from its start to its end. `page`: null without one.
 RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, const std::string& out,
                     LivePage* page) {
   for (const std::string& line : loaded.overrides) print_message("{}\n", line);
   if (options.save_frames) refuse_pictures_without_images("--save-frames", loaded.scenario);
   if (options.save_recording) refuse_pictures_without_images("--save-recording", loaded.scenario);
+  // What a camera saw cannot be had again
+  const bool save_recording = options.save_recording || loaded.scenario.is_live();
   std::optional<LoggedInterventions> logged;
   if (options.replay_commands) logged.emplace(*options.replay_commands, options);
   std::optional<double> first_t;
@@ -149,11 +157,13 @@ RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, con
   callbacks.keep_going = [&](const Tick& tick) {
     if (!first_t) first_t = tick.t, start = std::chrono::steady_clock::now();
     if (page) return page->control().wait_for(tick);
-    if (options.realtime) wait_until(start, tick.t - *first_t);
+    if (options.realtime && !loaded.scenario.is_live()) wait_until(start, tick.t - *first_t);
     return !interrupted();
   };
+  callbacks.is_over = [page] { return page ? page->control().is_ending() : interrupted(); };
   if (logged) callbacks.interventions = &*logged;
   if (page) {
+    callbacks.live_sources.browser = page->camera();
     callbacks.interventions = page;
     callbacks.observe = [page](const ObservabilityWatch& watch) { page->observe(watch); };
   }
@@ -163,10 +173,10 @@ RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, con
   };
   const SinkFactory open = [&](const RunInfo& info, std::int64_t frames) {
     handle_signals();
-    auto sink =
-        std::make_unique<RecorderSink>(RecorderSink::Options{out, options.save_frames, options.save_recording,
-                                                             !options.no_figures, frame_done},
-                                       info, frames);
+    auto sink = std::make_unique<RecorderSink>(
+        RecorderSink::Options{out, options.save_frames, save_recording, !options.no_figures, frame_done},
+        info, frames);
+    if (loaded.scenario.is_live()) write_replay(loaded, out);
     if (page) page->begin(info, frames);
     return sink;
   };
@@ -209,7 +219,8 @@ int run_with_page(RunOptions options) {
   LoadedScenario loaded = load(options);
   const std::string out = options.out.value_or("out/" + loaded.name);
   LivePage page(server_settings(options.page), options.scenario, [] { return interrupted(); });
-  print_message("the page is at {}\n{}", page.address(), hint_for_other_machines(options.page));
+  print_message("the page is at {}\n{}", page.address(),
+                hint_for_other_machines(options.page, page.address()));
   open_in_browser(page.address());
   int code = 0;
   for (int run = 1;; ++run) {
@@ -238,6 +249,7 @@ int run_with_page(RunOptions options) {
 
 int run(RunOptions options) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed output pipe must not end the run
+  if (options.page.phone && options.view.empty()) options.view = {"0"};
   check(options);
   if (!options.view.empty()) {
     options.page.port = options.view.back();
@@ -277,7 +289,8 @@ CLI::App* add_run(CLI::App& app, std::function<int()>& job) {
       ->type_name("RUN");
   command->footer(
       "Example:\n  incognita run room --seed 7 --duration 20 --out out/first\n"
-      "  incognita run explore-room --view\n");
+      "  incognita run explore-room --view\n"
+      "  incognita run hand --phone\n");
   command->callback([options, scenario, &job] {
     options->scenario_given = scenario->count() > 0;
     job = [options] { return run(*options); };

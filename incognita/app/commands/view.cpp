@@ -25,7 +25,7 @@ struct ViewOptions {
 void serve_until_interrupted(const std::string& address, const PageOptions& options) {
   catch_interrupts();
   std::signal(SIGPIPE, SIG_IGN);
-  print_message("the page is at {} until Ctrl-C\n{}", address, hint_for_other_machines(options));
+  print_message("the page is at {} until Ctrl-C\n{}", address, hint_for_other_machines(options, address));
   open_in_browser(address);
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }

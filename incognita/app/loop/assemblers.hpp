@@ -17,6 +17,8 @@ namespace incognita {
 Assembly assemble_rendered(const LoadedScenario& loaded);
 /// Recorded images.
 Assembly assemble_recorded_images(const LoadedScenario& loaded);
+/// A camera that takes its images now.
+Assembly assemble_live_camera(const LoadedScenario& loaded, const LiveSources& sources);
 /// Point landmarks, simulated.
 Assembly assemble_points(const LoadedScenario& loaded);
 /// Recorded ranges and bearings of one vehicle or of a team.

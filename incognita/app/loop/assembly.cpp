@@ -12,9 +12,10 @@
 namespace incognita {
 namespace {
 
-Assembly assembled(const LoadedScenario& loaded) {
+Assembly assembled(const LoadedScenario& loaded, const LiveSources& sources) {
   const Scenario& s = loaded.scenario;
   if (s.is_simulated()) return assemble_points(loaded);
+  if (s.is_live()) return assemble_live_camera(loaded, sources);
   if (!s.is_recording()) return assemble_rendered(loaded);
   return s.sensor.type == "camera" ? assemble_recorded_images(loaded) : assemble_recorded_ranges(loaded);
 }
@@ -32,9 +33,9 @@ void put_scenario(const LoadedScenario& loaded, RunInfo& info) {
   if (has_camera) info.camera = intrinsics_of(s.camera);
 }
 
-Assembly assemble(const LoadedScenario& loaded) {
+Assembly assemble(const LoadedScenario& loaded, const LiveSources& sources) {
   try {
-    return assembled(loaded);
+    return assembled(loaded, sources);
   } catch (const UnfitSetting& unfit) {  // e.g. a room too small for its boxes
     throw InputError(located(loaded, unfit));
   } catch (const std::invalid_argument& error) {

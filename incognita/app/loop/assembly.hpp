@@ -9,6 +9,7 @@
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/record/summary/run_summary.hpp"
 #include "incognita/slam/points/planar_settings.hpp"
+#include "incognita/world/live/live_feed.hpp"
 #include "incognita/world/points/point_world.hpp"
 #include "incognita/world/replay/recorded_ranges.hpp"
 
@@ -22,11 +23,17 @@ struct Assembly {
   /// True identity of each detection, tick by tick, for evaluation; null if the estimator gets the identities.
   std::shared_ptr<const AssociationTruth> association_truth = nullptr;
   SharedRangeRecordings recordings = nullptr;  ///< of range-bearing sensors; null otherwise
+  std::shared_ptr<LiveFeed> live = nullptr;    ///< where images come from a camera now
+};
+
+/// Cameras that the program has besides those that a scenario names.
+struct LiveSources {
+  std::shared_ptr<LiveSource> browser = nullptr;  ///< of the page
 };
 
 /// Throws InputError naming file and key or value, e.g. for a sensor that does not fit the vehicle, or a control law or
 /// path that the vehicle cannot follow.
-Assembly assemble(const LoadedScenario& loaded);
+Assembly assemble(const LoadedScenario& loaded, const LiveSources& sources = {});
 
 /// For a recording of a vehicle with a range-bearing sensor that is given, e.g. simulated.
 Assembly assemble_ranges(RangeRecording recording, const PlanarSlamSettings& settings, double duration_s);

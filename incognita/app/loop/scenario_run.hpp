@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "incognita/app/loop/assembly.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/messages/intervention.hpp"
 #include "incognita/record/recorder.hpp"
@@ -50,6 +51,9 @@ class InterventionSource {
 struct RunCallbacks {
   std::function<void(const std::string& line)> report;    ///< receives the assumptions, for printing
   std::function<bool(const Tick& tick)> keep_going = {};  ///< false: the run is interrupted
+  /// Whether the run is to end; asked while it waits for a camera.
+  std::function<bool()> is_over = {};
+  LiveSources live_sources = {};
   InterventionSource* interventions = nullptr;
   /// Receives the observability monitor after each update, where the scenario has one.
   std::function<void(const ObservabilityWatch&)> observe = {};

@@ -59,8 +59,9 @@ void LiveControl::command(const ViewerCommand& command) {
   changed();
 }
 
-void LiveControl::begin() {
+void LiveControl::begin(bool paced) {
   const std::lock_guard lock(mutex_);
+  paced_ = paced;
   state_ = {true, false, state_.speed, "", ""};
   steps_ = 0;
   stop_ = start_.has_value();  // a viewer may have started yet another run while this one was loaded
@@ -70,7 +71,7 @@ void LiveControl::begin() {
 }
 
 std::optional<LiveControl::Clock::time_point> LiveControl::due(double t) {
-  if (state_.speed == 0) return std::nullopt;
+  if (state_.speed == 0 || !paced_) return std::nullopt;
   const auto now = Clock::now();
   if (!anchor_) anchor_ = {now, t};
   const auto after = [&](double s) {
@@ -99,6 +100,11 @@ bool LiveControl::wait_for(const Tick& tick) {
     if (!at || *at <= now) return true;
     woken_.wait_until(lock, std::min(*at, now + nap));
   }
+}
+
+bool LiveControl::is_ending() {
+  const std::lock_guard lock(mutex_);
+  return stop_ || interrupted_();
 }
 
 std::vector<Intervention> LiveControl::take_interventions() {

@@ -28,10 +28,13 @@ class LiveControl {
 
   // From the thread of the loop:
 
-  /// A run begins, not paused, at the speed of the last one; at first in real time.
-  void begin();
+  /// A run begins, not paused, at the speed of the last one; at first in real time. Not `paced`: the world sets the pace, as a
+  /// live camera does.
+  void begin(bool paced = true);
   /// Waits for the time of this tick, or for a step or the end of a pause. False if the run is to end.
   bool wait_for(const Tick& tick);
+  /// Whether the run is to end; does not wait.
+  bool is_ending();
   /// The interventions since the last call, in their order.
   std::vector<Intervention> take_interventions();
   /// The run has ended, as `RunStatus` says.
@@ -54,7 +57,7 @@ class LiveControl {
   std::condition_variable woken_;
   LiveState state_;
   int steps_ = 0;  ///< frames to do while paused
-  bool stop_ = false;
+  bool stop_ = false, paced_ = true;
   std::vector<Intervention> interventions_;
   std::optional<StartRun> start_;
   std::optional<std::pair<Clock::time_point, double>> anchor_;  ///< a wall time and its run time, s

@@ -76,6 +76,9 @@ std::string live_info_json(const LoadedScenario& loaded, const RunInfo& info, st
   json["start_scenario"] = is_embedded(loaded.file) ? loaded.file.stem().string() : loaded.file.string();
   json["expected_frames"] = frames;
   json["effective_toml"] = info.effective_toml;
+  if (const Scenario& s = loaded.scenario; s.is_live())
+    json["live_camera"] = {
+        {"source", s.live.source}, {"width", s.camera.width_px}, {"height", s.camera.height_px}};
   json["disturbances"] = possible_disturbances(loaded.scenario);
   json["disturbed"] = {{"covered", false}, {"sigma_gray", 0}, {"factor", 1}};
   json["manual"] = can_be_taken_over(loaded.scenario);

@@ -12,6 +12,7 @@
 #include "incognita/app/view/page_files.hpp"
 #include "incognita/app/view/settings_json.hpp"
 #include "incognita/io/formats/files.hpp"
+#include "incognita/io/formats/image_file.hpp"
 #include "incognita/live/foxglove_messages.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/recorder.hpp"
@@ -23,6 +24,17 @@ namespace {
 constexpr std::chrono::seconds observe_every{2};
 /// A report is cubic in the size of the map. Pause between two, in times of the last one: other messages wait meanwhile.
 constexpr int least_pause = 20;
+
+/// iPhones let a page with a certificate of its own use WebSockets only once it was installed.
+constexpr const char* certificate_path = "/certificate.crt";
+constexpr std::size_t largest_certificate = 1u << 16;
+
+std::optional<HttpAnswer> certificate_answer(const std::filesystem::path& file) {
+  return HttpAnswer{200,
+                    "application/x-x509-ca-cert",
+                    std::make_shared<const std::string>(read_file(file, largest_certificate)),
+                    {}};
+}
 
 std::vector<std::string> settings_of(const HttpRequest& request) {
   std::vector<std::string> settings;
@@ -36,12 +48,17 @@ std::vector<std::string> settings_of(const HttpRequest& request) {
 LivePage::LivePage(ServerSettings settings, std::string scenario, std::function<bool()> interrupted)
     : scenario_(std::move(scenario)), control_(std::move(interrupted)) {
   check_page_is_complete();
+  camera_ = std::make_shared<BrowserCamera>(
+      [](std::string_view jpeg) { return decode_image(jpeg, "an image of the page's camera"); });
   channel_ = std::make_shared<PageChannel>([this](const ViewerCommand& asked) { command(asked); });
   control_.on_change = [this](const LiveState& state) { channel_->set_state(state); };
   ServerHandlers handlers;
-  handlers.public_answer = [](const HttpRequest& request) { return page_file(request.path); };
+  handlers.public_answer = [certificate = settings.certificate](const HttpRequest& request) {
+    return request.path == certificate_path && !certificate.empty() ? certificate_answer(certificate)
+                                                                    : page_file(request.path);
+  };
   handlers.answer = [this](const HttpRequest& request) { return answer(request); };
-  handlers.protocols = {{PageChannel::subprotocol, channel_}};
+  handlers.protocols = {{PageChannel::subprotocol, channel_}, {BrowserCamera::subprotocol, camera_}};
   for (const char* name : foxglove::subprotocols) handlers.protocols.emplace_back(name, foxglove_);
   handlers.log = [](const std::string& line) { print_message("view: {}\n", line); };
   server_ = std::make_unique<Server>(std::move(settings), std::move(handlers), [this](Server& server) {
@@ -58,6 +75,8 @@ void LivePage::prepare(const LoadedScenario& loaded, Reload reload, const std::f
   current_.emplace();
   current_->loaded = loaded;
   current_->directory = directory;
+  const CameraSettings& camera = loaded.scenario.camera;
+  camera_->expect(camera.width_px, camera.height_px);
 }
 
 void LivePage::begin(const RunInfo& info, std::int64_t frames) {
@@ -72,7 +91,7 @@ void LivePage::begin(const RunInfo& info, std::int64_t frames) {
   }
   channel_->begin(index, current_->loaded.name, with_errors);
   foxglove_->begin(info);
-  control_.begin();
+  control_.begin(!current_->loaded.scenario.is_live());
 }
 
 void LivePage::publish(const Snapshot& snapshot) {

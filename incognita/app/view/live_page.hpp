@@ -13,6 +13,7 @@
 #include "incognita/app/loop/scenario_run.hpp"
 #include "incognita/app/view/live_control.hpp"
 #include "incognita/app/view/recorded_runs.hpp"
+#include "incognita/live/browser_camera.hpp"
 #include "incognita/live/foxglove_channel.hpp"
 #include "incognita/live/page_channel.hpp"
 #include "incognita/live/series_history.hpp"
@@ -38,6 +39,8 @@ class LivePage final : public InterventionSource {
   void prepare(const LoadedScenario& loaded, Reload reload, const std::filesystem::path& directory);
   void begin(const RunInfo& info, std::int64_t frames);
   LiveControl& control() { return control_; }
+  /// The camera of a device that has the page open.
+  std::shared_ptr<LiveSource> camera() const { return camera_; }
   void publish(const Snapshot& snapshot);
   /// The observability monitor after an update: its report is sent about every two seconds while someone watches, on
   /// large maps more rarely. It is computed in the server's thread.
@@ -68,6 +71,7 @@ class LivePage final : public InterventionSource {
   const std::string scenario_;
   LiveControl control_;
   std::shared_ptr<PageChannel> channel_;
+  std::shared_ptr<BrowserCamera> camera_;
   std::shared_ptr<FoxgloveChannel> foxglove_ = std::make_shared<FoxgloveChannel>();
   std::mutex mutex_;  ///< of `runs_` and `current_`
   RecordedRuns runs_;

@@ -85,6 +85,9 @@ std::filesystem::path find_data(const std::string& path, const std::filesystem::
     if (std::filesystem::exists(path, ignored)) return path;
     throw InputError(fmt::format("{}: {} does not exist", wanted_by, path));
   }
+  if (!scenario_file.empty() && !is_embedded(scenario_file))
+    if (const auto beside = scenario_file.parent_path() / path; std::filesystem::exists(beside, ignored))
+      return beside;
   std::string looked;
   for (const std::filesystem::path& folder : data_folders(scenario_file)) {
     if (std::filesystem::exists(folder / path, ignored)) return folder / path;

@@ -14,7 +14,7 @@ std::vector<std::filesystem::path> data_folders(const std::filesystem::path& sce
 /// Adds a file or folder to those to search, unless it is one of them by another path.
 void add_place(const std::filesystem::path& place, std::vector<std::filesystem::path>& places);
 
-/// The first existing `path` under the data folders; an absolute path is used as it is. Throws InputError
+/// `path` beside the scenario, else the first existing one under the data folders; an absolute path is used as it is. Throws InputError
 /// beginning with `wanted_by` that states what is missing, where it was searched, where it is published, its
 /// checksum if known, and where to put it.
 std::filesystem::path find_data(const std::string& path, const std::filesystem::path& scenario_file,

@@ -5,15 +5,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "incognita/io/formats/files.hpp"
+#include "incognita/io/formats/gray_image.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -35,16 +34,6 @@ cv::VideoCapture opened(const std::filesystem::path& file) {
   return video;
 }
 
-Image gray(const cv::Mat& decoded) {
-  cv::Mat one = decoded;
-  if (decoded.channels() == 3) cv::cvtColor(decoded, one, cv::COLOR_BGR2GRAY);
-  if (one.type() != CV_8U) throw std::runtime_error("its images are not of 8 bits");
-  Image image(one.cols, one.rows);
-  for (int v = 0; v < one.rows; ++v)
-    std::memcpy(image.row(v), one.ptr(v), static_cast<std::size_t>(one.cols));
-  return image;
-}
-
 /// Decodes forward, and from the start again for an image before the last.
 class VideoImages final : public ImageSource {
  public:
@@ -58,7 +47,7 @@ class VideoImages final : public ImageSource {
     cv::Mat decoded;
     if (!video_.retrieve(decoded) || decoded.empty())
       throw std::runtime_error(fmt::format("{}: image {} cannot be decoded", file_.string(), frame));
-    return std::make_shared<const Image>(gray(decoded));
+    return std::make_shared<const Image>(gray_image(decoded));
   }
 
  private:

@@ -157,10 +157,12 @@ std::string one_line(std::string text) {
 
 /// Files beside the scenario are written with their full path, so that the written scenario can be moved.
 std::string written_for_elsewhere(const SettingInForce& setting, const LoadedScenario& loaded) {
-  if (!setting.names_file || is_embedded(loaded.file)) return setting.value;
+  const bool names_recording = setting.key == "recording.folder";
+  if (!(setting.names_file || names_recording) || is_embedded(loaded.file)) return setting.value;
   const auto name = std::get<std::string>(value_of_toml(setting.value).value);
   const std::filesystem::path beside = loaded.file.parent_path() / name;
-  if (name.empty() || !file_exists(beside)) return setting.value;
+  std::error_code ignored;
+  if (name.empty() || !std::filesystem::exists(beside, ignored)) return setting.value;
   return toml_string(std::filesystem::absolute(beside).lexically_normal().string());
 }
 
@@ -177,6 +179,21 @@ LoadedScenario load_scenario(const std::string& path_or_name, std::span<const st
   for (const Flag& flag : flags) given.override_with(flag.key, flag.value, flag.source);
   read(loaded, std::move(given));
   return loaded;
+}
+
+std::string replay_toml(const LoadedScenario& live, const std::string& recording) {
+  LoadedScenario replay = live;
+  std::erase_if(replay.settings, [](const SettingInForce& s) { return section_of(s.key) == "live"; });
+  for (SettingInForce& setting : replay.settings)
+    if (setting.key == "world.type") setting.value = toml_string("recording");
+  const auto given = [](const std::string& key, const std::string& value) {
+    SettingInForce setting;
+    setting.key = key, setting.value = toml_string(value), setting.source = "the live run";
+    return setting;
+  };
+  replay.settings.push_back(given("recording.folder", recording));
+  replay.settings.push_back(given("recording.format", "tum"));
+  return effective_toml(replay);
 }
 
 std::string effective_toml(const LoadedScenario& loaded) {

@@ -45,4 +45,7 @@ LoadedScenario load_scenario(const std::string& path_or_name, std::span<const st
 /// the text that it wrote.
 std::string effective_toml(const LoadedScenario& loaded);
 
+/// The scenario that repeats a live run from the images that it recorded in the folder `recording`, beside the scenario.
+std::string replay_toml(const LoadedScenario& live, const std::string& recording);
+
 }  // namespace incognita

@@ -12,6 +12,7 @@
 #include "incognita/control/paths/reference_path.hpp"
 #include "incognita/control/settings.hpp"
 #include "incognita/decision/settings.hpp"
+#include "incognita/io/scenario/live_settings.hpp"
 #include "incognita/math/setting.hpp"
 #include "incognita/models/motion/mount.hpp"
 #include "incognita/slam/features/settings.hpp"
@@ -44,15 +45,16 @@ struct RunSettings {
 
 struct WorldSettings {
   enum class Type {
-    room,      ///< rendered, closed loop
-    points,    ///< simulated point landmarks
-    recording  ///< replayed
+    room,       ///< rendered, closed loop
+    points,     ///< simulated point landmarks
+    recording,  ///< replayed
+    live        ///< a camera, while it takes its images
   };
   Type type = Type::room;
 
   static void describe(auto&& setting) {
     setting(&WorldSettings::type, "type", "", limits::any(),
-            "World: rendered room, simulated point landmarks, or a recording");
+            "World: rendered room, simulated point landmarks, a recording, or what a camera sees now");
   }
 };
 
@@ -449,6 +451,7 @@ struct Scenario {
   SensorSettings sensor;
   CameraSettings camera;
   RecordingSettings recording;
+  LiveSettings live;
   RoomSettings room;
   ExposureSettings exposure;
   MotionSettings true_motion;
@@ -472,6 +475,7 @@ struct Scenario {
   const MotionTraits& motion() const { return motion_traits_of(planar.vehicle.model); }
   const SensorTraits& measured() const { return sensor_traits_of(sensor.type, motion()); }
   bool is_recording() const { return world.type == WorldSettings::Type::recording; }
+  bool is_live() const { return world.type == WorldSettings::Type::live; }
   bool is_simulated() const { return world.type == WorldSettings::Type::points; }
   /// Whether vehicles are estimated in one team belief: with simulated point landmarks, or from a team recording.
   bool is_team() const { return is_simulated() || (is_recording() && recording.team); }
@@ -479,10 +483,12 @@ struct Scenario {
   bool is_room_vehicle() const {
     return world.type == WorldSettings::Type::room && motion().space == Space::uneven_ground;
   }
-  /// Whether the true motion is that of a recording, also in the rendered room: commands and disturbances have no effect.
+  /// Whether the true motion is that of a recording, also in the rendered room, or of a person: commands and disturbances have
+  /// no effect.
   bool has_recorded_motion() const {
-    return is_recording() || (world.type == WorldSettings::Type::room && !is_room_vehicle() &&
-                              std::holds_alternative<TrajectoryMotion>(true_motion.type));
+    return is_recording() || is_live() ||
+           (world.type == WorldSettings::Type::room && !is_room_vehicle() &&
+            std::holds_alternative<TrajectoryMotion>(true_motion.type));
   }
   /// Whether a camera is carried by a vehicle that its filter does not model: thesis Section 6.4.
   bool has_carried_camera() const {

@@ -16,6 +16,8 @@ using List = std::vector<Contradiction>;
 void check_sources(const Scenario& s, List& found) {
   if (s.is_recording() && s.recording.folder.empty())
     found.push_back({"recording.folder", "must name the recording, world.type being `recording`"});
+  if (s.is_live() && s.live.source.empty())
+    found.push_back({"live.source", "must name a camera, e.g. `browser` or `/dev/video0`"});
   if (s.is_recording() && s.start.from == StartSettings::From::free && s.sensor.type == "camera" &&
       s.recording.truth_frame == RecordingSettings::TruthFrame::estimate)
     found.push_back({"recording.truth_frame",

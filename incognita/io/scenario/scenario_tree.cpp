@@ -363,6 +363,18 @@ void recorded_images(SettingReader& r, Scenario& s, const CameraFinder& find_cam
   free_camera_decision(r, s);  // shown as advice: nothing controls the recorded motion
 }
 
+/// A camera that a person holds, or that stands still.
+void live_camera(SettingReader& r, Scenario& s) {
+  vehicle_model(r, s, {"free-camera"});
+  sensor_type(r, s, {"camera"});
+  run(r, s, true, true);
+  r.section("live");
+  r.all(s.live);
+  read_camera(r, s.camera);
+  image_estimator(r, s);
+  free_camera_decision(r, s);  // shown to the person
+}
+
 void recorded_vehicle(SettingReader& r, Scenario& s) {
   using P = PlanarStartSettings;
   using F = PlanarFilterSettings;
@@ -555,6 +567,8 @@ void read_settings(SettingReader& r, Scenario& s, const CameraFinder& find_camer
       return points(r, s);
     case WorldSettings::Type::recording:
       return recording(r, s, find_camera);
+    case WorldSettings::Type::live:
+      return live_camera(r, s);
   }
 }
 

@@ -40,6 +40,25 @@ export async function openPage(t, address, { width = 1280, height = 720, theme =
   return page;
 }
 
+/**
+ * Opens the page in a browser of its own, whose camera is a video; waits for no frame. Certificates of the program are accepted.
+ * @param {import('node:test').TestContext} t @param {string} address @param {string} video YUV4MPEG2; empty: Chromium's own pattern
+ */
+export async function openPageWithCamera(t, address, video) {
+  const camera = ['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream',
+    ...(video ? [`--use-file-for-fake-video-capture=${video}`] : [])];
+  const own = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: [...ARGUMENTS, ...camera], timeout: LIMIT_MS });
+  onEnd(t, () => own.close());
+  const context = await own.newContext({ ignoreHTTPSErrors: true, viewport: { width: 420, height: 800 } });
+  const page = await context.newPage();
+  page.setDefaultTimeout(LIMIT_MS);
+  const errors = [];
+  page.on('pageerror', (error) => errors.push(error.stack ?? String(error)));
+  onEnd(t, () => assert.deepEqual(errors, [], 'errors in the page'));
+  await page.goto(address);
+  return page;
+}
+
 /** @typedef {import('playwright-core').Page} Page */
 
 /** @param {Page} page */

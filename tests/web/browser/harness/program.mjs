@@ -36,7 +36,7 @@ export async function serve(t, args) {
   const address = await before(new Promise((resolve, reject) => {
     child.stderr.on('data', (bytes) => {
       output += bytes;
-      const found = output.match(/the page is at (http:\S+)/);
+      const found = output.match(/the page is at (https?:\S+)/);
       if (found) resolve(found[1]);
     });
     child.on('error', reject);

@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "incognita/app/loop/assemblers.hpp"
+#include "incognita/app/loop/body_models.hpp"
+#include "incognita/control/steering_controller.hpp"
+#include "incognita/decision/decision.hpp"
+#include "incognita/io/cameras/video_stream.hpp"
+#include "incognita/io/scenario/camera.hpp"
+#include "incognita/messages/errors.hpp"
+#include "incognita/world/live/sized_images.hpp"
+
+namespace incognita {
+namespace {
+
+double steady_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::shared_ptr<LiveSource> source_of(const LoadedScenario& loaded, const LiveSources& sources) {
+  const Scenario& s = loaded.scenario;
+  if (s.live.source != LiveSettings::browser)
+    return std::make_shared<VideoStream>(
+        VideoStreamSettings{s.live.source, s.camera.width_px, s.camera.height_px, s.run.rate_hz});
+  if (sources.browser) return sources.browser;
+  throw InputError(fmt::format(
+      "{}: live.source = browser: the camera is that of a device which has the page open; run with --view, on a phone with "
+      "--phone, or name a device such as /dev/video0",
+      loaded.source_of("live.source")));
+}
+
+}  // namespace
+
+/// A person moves the camera, and sees what is decided; nothing of it is known to the filter.
+Assembly assemble_live_camera(const LoadedScenario& loaded, const LiveSources& sources) {
+  const Scenario& s = loaded.scenario;
+  const Camera camera = make_camera(s.camera);
+  const std::optional<Target> target = start_target(loaded);
+  LiveFeedSettings feed{s.run.duration_s, 1 / s.run.rate_hz, std::nullopt, s.live.give_up_s};
+  Assembly out;
+  put_scenario(loaded, out.info);
+  out.info.ate_alignment = target ? "se3" : "sim3";
+  out.live = std::make_shared<LiveFeed>(
+      feed, std::make_shared<SizedImages>(source_of(loaded, sources), camera.width(), camera.height()),
+      steady_s);
+  if (!target) out.notes.emplace_back("no target: the scale is unobservable, lengths are in arbitrary units");
+  auto estimator = image_estimator(loaded, camera, target);
+  auto strategy = decide_for(*estimator, active_settings_of(s));
+  out.parts = {std::make_unique<LiveClock>(out.live),
+               std::make_unique<LiveWorld>(),
+               std::make_unique<LiveSensors>(out.live),
+               std::move(estimator),
+               std::move(strategy),
+               std::make_unique<SteeringController>(std::vector{free_camera_control(s.control, true)})};
+  return out;
+}
+
+}  // namespace incognita

@@ -1,0 +1,62 @@
+// WebSocket that carries the images of this device's camera to the program: subprotocol incognita.camera.v1. No more than a
+// few images are under way at a time, so that a slow network makes images rarer and not later.
+import { socketAddress } from './api.js';
+
+const MOST_UNDER_WAY = 2;
+const TIME_BYTES = 8;
+
+/**
+ * @typedef {object} CameraSocketHandlers
+ * @property {() => void} onReady
+ * @property {(words: string) => void} onRefused
+ * @property {() => void} onClosed
+ * @property {(t: number, runT: number) => void} onGot an image arrived; its time for the run, s
+ */
+
+export class CameraSocket {
+  #underWay = 0;
+  #ready = false;
+
+  /**
+   * @param {{label: string, width: number, height: number}} camera
+   * @param {CameraSocketHandlers} handlers
+   */
+  constructor(camera, handlers) {
+    this.socket = new WebSocket(socketAddress(), 'incognita.camera.v1');
+    this.socket.onopen = () => this.socket.send(JSON.stringify({ type: 'camera', ...camera }));
+    this.socket.onmessage = ({ data }) => this.#receive(JSON.parse(data), handlers);
+    this.socket.onclose = () => handlers.onClosed();
+  }
+
+  /** Whether an image would be on its way at once. */
+  get isFree() {
+    return this.#ready && this.#underWay < MOST_UNDER_WAY && this.socket.readyState === WebSocket.OPEN;
+  }
+
+  /** @param {number} t s, on any clock of this device @param {Blob} jpeg */
+  async send(t, jpeg) {
+    ++this.#underWay;
+    const bytes = new Uint8Array(TIME_BYTES + jpeg.size);
+    new DataView(bytes.buffer).setFloat64(0, t, true);
+    bytes.set(new Uint8Array(await jpeg.arrayBuffer()), TIME_BYTES);
+    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(bytes);
+  }
+
+  close() {
+    this.socket.onclose = null;
+    this.socket.close();
+  }
+
+  /** @param {any} message @param {CameraSocketHandlers} handlers */
+  #receive(message, handlers) {
+    if (message.type === 'ready') {
+      this.#ready = true;
+      handlers.onReady();
+    } else if (message.type === 'got') {
+      --this.#underWay;
+      handlers.onGot(message.t, message.run_t);
+    } else if (message.type === 'refused') {
+      handlers.onRefused(message.message);
+    }
+  }
+}

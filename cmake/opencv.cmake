@@ -2,7 +2,7 @@
 # OpenCVConfig.cmake in libopencv-dev, which pulls in every module and GDAL, VTK and Qt with them; the parts' own
 # packages (libopencv-core-dev, ...) leave those out.
 find_path(OPENCV_INCLUDE_DIR opencv2/core.hpp PATH_SUFFIXES opencv4)
-foreach(part core imgproc imgcodecs calib3d)
+foreach(part core imgproc imgcodecs calib3d videoio)
   find_library(OPENCV_${part}_LIBRARY opencv_${part})
   if(OPENCV_INCLUDE_DIR AND OPENCV_${part}_LIBRARY AND NOT TARGET opencv_${part})
     add_library(opencv_${part} UNKNOWN IMPORTED GLOBAL)

@@ -41,7 +41,7 @@ incognita_module(bags FOLDERS io/bags USES incognita::math incognita::messages
 
 incognita_module(io FOLDERS io/formats io/scenario io/recordings SOURCES ${embedded_sources}
                  USES incognita::models incognita::messages incognita::analysis incognita::bags
-                 PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs PkgConfig::MATIO PkgConfig::YAML_CPP)
+                 PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs opencv_imgproc opencv_videoio PkgConfig::MATIO PkgConfig::YAML_CPP)
 target_compile_definitions(incognita_io PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
 
 include(app/commands/config.cmake OPTIONAL)

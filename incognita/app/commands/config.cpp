@@ -83,7 +83,8 @@ void print_all(bool json) {
 std::vector<std::string> check_images(const LoadedScenario& loaded) {
   const Recording recording = read_recording(loaded);
   for (const Recording::RecordedFrame& frame : recording.frames)
-    if (!file_exists(frame.image)) throw InputError(frame.image.string() + ": is listed but does not exist");
+    if (!frame.image.empty() && !file_exists(frame.image))
+      throw InputError(frame.image.string() + ": is listed but does not exist");
   const CameraSettings& camera = loaded.scenario.camera;
   return {fmt::format("all {} images exist, the first is {}x{} px", recording.frames.size(), camera.width_px,
                       camera.height_px)};

@@ -58,7 +58,8 @@ Assembly assemble_recorded_images(const LoadedScenario& loaded) {
   Assembly out;
   put_scenario(loaded, out.info);
   out.info.rate_hz = mean_rate_hz(times);
-  out.info.ate_alignment = target ? "se3" : "sim3";
+  const bool is_frame_of_truth = s.recording.truth_frame == RecordingSettings::TruthFrame::estimate;
+  out.info.ate_alignment = !target ? "sim3" : is_frame_of_truth ? "none" : "se3";
   out.notes = recording->notes;
   if (std::string compared = compare_camera(loaded, *recording); !compared.empty())
     out.notes.push_back(std::move(compared));

@@ -36,14 +36,17 @@ bool agree(const std::string& written, const std::string& calibrated) {
 
 std::optional<FoundCamera> camera_of_recording(const Scenario& s, const std::filesystem::path& file) {
   using Format = RecordingSettings::Format;
-  if (s.recording.format != Format::automatic && s.recording.format != Format::euroc) return std::nullopt;
+  const Format format = s.recording.format;
+  if (format != Format::automatic && format != Format::euroc && format != Format::kitti) return std::nullopt;
   std::filesystem::path folder;
   try {
     folder = find_data(s.recording.folder, file, "");
   } catch (const InputError&) {
     return std::nullopt;  // reported by the reader of the recording
   }
-  const auto calibration = looks_like_euroc(folder) ? camera_in_euroc(folder) : std::nullopt;
+  const auto calibration = looks_like_euroc(folder)   ? camera_in_euroc(folder)
+                           : looks_like_kitti(folder) ? camera_in_kitti(folder)
+                                                      : std::nullopt;
   if (!calibration) return std::nullopt;
   if (!calibration->unfit.empty())
     throw InputError(fmt::format(

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "incognita/io/formats/image_file.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -61,16 +60,18 @@ std::shared_ptr<const Image> RecordedImages::read(std::int64_t frame) const {
     throw RecordError(fmt::format("{}: frame {} requested, the recording has {}", recording_->folder.string(),
                                   frame, count));
   }
-  const std::filesystem::path& file = recording_->frames[static_cast<std::size_t>(frame)].image;
+  const auto which = static_cast<std::size_t>(frame);
   std::shared_ptr<const Image> image;
   try {
-    image = std::make_shared<const Image>(read_image(file));
+    image = recording_->images->read(which);
   } catch (const std::runtime_error& error) {
     throw RecordError(fmt::format(
         "frame {} of {} cannot be read; replace the file or end before it with run.duration_s: {}", frame,
         count, error.what()));
   }
   if (image->width() != width_px_ || image->height() != height_px_) {
+    const std::filesystem::path& of_its_own = recording_->frames[which].image;
+    const std::filesystem::path& file = of_its_own.empty() ? recording_->folder : of_its_own;
     throw RecordError(
         fmt::format("{}: frame {} is {}x{} px, camera.width_px and camera.height_px expect {}x{}",
                     file.string(), frame, image->width(), image->height(), width_px_, height_px_));

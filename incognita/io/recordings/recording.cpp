@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <system_error>
+#include <utility>
 
 #include "incognita/io/formats/data_folder.hpp"
+#include "incognita/io/formats/files.hpp"
 #include "incognita/io/recordings/recording_formats.hpp"
+#include "incognita/io/recordings/true_poses.hpp"
+#include "incognita/io/recordings/video.hpp"
 #include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/messages/tick.hpp"
@@ -13,37 +17,75 @@
 namespace incognita {
 namespace {
 
-std::string guess_format(const std::filesystem::path& folder) {
-  if (looks_like_tum(folder)) return "tum";
-  if (looks_like_euroc(folder)) return "euroc";
+std::string guess_format(const std::filesystem::path& path) {
+  if (looks_like_video(path)) return "video";
+  if (looks_like_tum(path)) return "tum";
+  if (looks_like_euroc(path)) return "euroc";
+  if (looks_like_kitti(path)) return "kitti";
   return "images";
 }
 
-Recording read_as(const std::string& format, const std::filesystem::path& folder, double rate_hz,
+Recording read_as(const std::string& format, const std::filesystem::path& path, double rate_hz,
                   const std::string& pattern) {
   if (format != "images" && !pattern.empty())
     throw InputError(fmt::format(
-        "recording.pattern = \"{}\": does not apply to the format `{}`, whose tables list the images",
+        "recording.pattern = \"{}\": does not apply to the format `{}`, which tells what its images are",
         pattern, format));
-  if (format == "tum") return read_tum(folder);
-  if (format == "euroc") return read_euroc(folder);
-  if (format == "images") return read_image_folder(folder, rate_hz, pattern);
-  throw InputError(fmt::format("recording.format = {}: must be `auto`, `images`, `tum` or `euroc`", format));
+  if (format == "tum") return read_tum(path);
+  if (format == "euroc") return read_euroc(path);
+  if (format == "kitti") return read_kitti(path);
+  if (format == "video") return read_video(path);
+  if (format == "images") return read_image_folder(path, rate_hz, pattern);
+  throw InputError(fmt::format(
+      "recording.format = {}: must be `auto`, `images`, `tum`, `euroc`, `kitti` or `video`", format));
+}
+
+Recording with_images(Recording recording) {
+  if (recording.images) return recording;
+  std::vector<std::filesystem::path> files;
+  for (const Recording::RecordedFrame& frame : recording.frames) files.push_back(frame.image);
+  recording.images = image_files(std::move(files));
+  return recording;
+}
+
+bool is_folder(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
+
+/// Beside the images of the recording, else under the data folder.
+std::filesystem::path find_truth(const Recording& recording, const LoadedScenario& loaded) {
+  const std::string& name = loaded.scenario.recording.truth;
+  const std::filesystem::path folder =
+      is_folder(recording.folder) ? recording.folder : recording.folder.parent_path();
+  if (std::filesystem::exists(folder / name)) return folder / name;
+  return find_data(name, loaded.file, loaded.source_of("recording.truth") + ": recording.truth");
+}
+
+void put_truth(const LoadedScenario& loaded, Recording& recording) {
+  const RecordingSettings& settings = loaded.scenario.recording;
+  if (!settings.truth.empty()) {
+    const std::filesystem::path path = find_truth(recording, loaded);
+    recording.truth = read_true_poses(path, recording.frames);
+    recording.notes.push_back(
+        fmt::format("{} true poses from {}, by recording.truth", recording.truth.size(), shown(path)));
+  }
+  for (RecordedPose& pose : recording.truth) pose.t += settings.truth_offset_s;
 }
 
 }  // namespace
 
-Recording read_recording(const std::filesystem::path& folder, const std::string& format, double rate_hz,
+Recording read_recording(const std::filesystem::path& path, const std::string& format, double rate_hz,
                          const std::string& pattern) {
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored)) {
-    throw InputError(fmt::format("{}: is not a folder; a recording must be a folder", folder.string()));
+  if (format != "video" && !is_folder(path) && !looks_like_video(path)) {
+    throw InputError(
+        fmt::format("{}: is not a folder; a recording must be a folder or a video", path.string()));
   }
-  if (format != "auto") return read_as(format, folder, rate_hz, pattern);
-  const std::string guess = guess_format(folder);
-  Recording recording = read_as(guess, folder, rate_hz, pattern);
+  if (format != "auto") return with_images(read_as(format, path, rate_hz, pattern));
+  const std::string guess = guess_format(path);
+  Recording recording = with_images(read_as(guess, path, rate_hz, pattern));
   recording.notes.insert(recording.notes.begin(),
-                         fmt::format("{}: detected format `{}`", folder.string(), guess));
+                         fmt::format("{}: detected format `{}`", path.string(), guess));
   return recording;
 }
 
@@ -58,8 +100,11 @@ Recording with_rounded_stamps(Recording recording) {
 Recording read_recording(const LoadedScenario& loaded) {
   const RecordingSettings& settings = loaded.scenario.recording;
   const std::string wanted_by = loaded.source_of("recording.folder") + ": recording.folder";
-  return read_recording(find_data(settings.folder, loaded.file, wanted_by), word_of(settings.format),
-                        loaded.scenario.run.rate_hz, settings.pattern);
+  Recording recording =
+      read_recording(find_data(settings.folder, loaded.file, wanted_by), word_of(settings.format),
+                     loaded.scenario.run.rate_hz, settings.pattern);
+  put_truth(loaded, recording);
+  return recording;
 }
 
 }  // namespace incognita

@@ -1,13 +1,15 @@
-// Recordings: image files with time stamps and, if known, true camera poses.
+// Recordings: images with time stamps and, if known, true camera poses.
 #pragma once
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "incognita/io/recordings/euroc_camera.hpp"
+#include "incognita/io/recordings/image_source.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 
 namespace incognita {
@@ -20,28 +22,29 @@ struct RecordedPose {
 
 struct Recording {
   struct RecordedFrame {
-    double t = 0;  ///< s, increasing
-    std::filesystem::path image;
+    double t = 0;                 ///< s, increasing
+    std::filesystem::path image;  ///< its file; empty where one file holds all images
   };
-  std::string format;  ///< `images`, `tum` or `euroc`
-  std::filesystem::path folder;
-  std::vector<RecordedFrame> frames;       ///< at least one
-  std::vector<RecordedPose> truth;         ///< in time order; empty if unknown
-  std::vector<std::string> notes;          ///< assumptions and ignored data, for printing
-  std::optional<CalibratedCamera> camera;  ///< set if the recording contains its calibration
-  bool whole_us = false;                   ///< all times are whole microseconds: with_rounded_stamps()
+  std::string format;                             ///< `images`, `tum`, `euroc`, `kitti` or `video`
+  std::filesystem::path folder;                   ///< or the file that holds all images
+  std::vector<RecordedFrame> frames;              ///< at least one
+  std::vector<RecordedPose> truth;                ///< in time order; empty if unknown
+  std::vector<std::string> notes;                 ///< assumptions and ignored data, for printing
+  std::optional<CalibratedCamera> camera;         ///< set if the recording contains its calibration
+  bool whole_us = false;                          ///< all times are whole microseconds: with_rounded_stamps()
+  std::shared_ptr<ImageSource> images = nullptr;  ///< set by read_recording(); frame k is image k
 };
 
 /// The recording with all stamps rounded to whole microseconds, so that its estimate depends neither on their digits nor on
 /// their origin. Times of images without stamps, which follow from a rate, stay as they are.
 Recording with_rounded_stamps(Recording recording);
 
-/// `format` is `auto`, `images`, `tum` or `euroc`; `rate_hz` is used for images without time stamps.
-/// `pattern` selects images by name as in a shell; empty: all. Throws InputError naming file and line.
-Recording read_recording(const std::filesystem::path& folder, const std::string& format, double rate_hz,
+/// `path` is a folder, or the file of a video. `format` is `auto` or one of Recording::format; `rate_hz` is used for images
+/// without time stamps. `pattern` selects images by name as in a shell; empty: all. Throws InputError naming file and line.
+Recording read_recording(const std::filesystem::path& path, const std::string& format, double rate_hz,
                          const std::string& pattern = "");
 
-/// The recording named by a scenario, searched under the data folder.
+/// The recording named by a scenario, searched under the data folder, with the true poses that the scenario names.
 Recording read_recording(const LoadedScenario& loaded);
 
 }  // namespace incognita

@@ -22,4 +22,11 @@ bool looks_like_euroc(const std::filesystem::path& folder);
 /// Reads cam0/sensor.yaml only; nullopt if it is missing.
 std::optional<CalibratedCamera> camera_in_euroc(const std::filesystem::path& folder);
 
+/// A sequence of the KITTI odometry benchmark: times.txt, image_0 to image_3, of which the first there is used, and, if
+/// present, calib.txt and the true poses, poses.txt or ../../poses/NN.txt.
+Recording read_kitti(const std::filesystem::path& folder);
+bool looks_like_kitti(const std::filesystem::path& folder);
+/// From calib.txt and the size of the first image; nullopt if there is none.
+std::optional<CalibratedCamera> camera_in_kitti(const std::filesystem::path& folder);
+
 }  // namespace incognita

@@ -3,6 +3,7 @@
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/number_table.hpp"
 #include "incognita/io/recordings/recording_formats.hpp"
+#include "incognita/io/recordings/true_poses.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -24,18 +25,7 @@ Recording read_tum(const std::filesystem::path& folder) {
     recording.notes.push_back("there is no groundtruth.txt: the truth is unknown");
     return recording;
   }
-  for (const TableLine& line : read_table(folder / "groundtruth.txt")) {
-    const Eigen::Vector4d q(line.number(7), line.number(4), line.number(5), line.number(6));
-    const double t = line.number(0);
-    if (std::abs(q.norm() - 1) > 1e-2) {
-      throw InputError(fmt::format("{}: columns 5 to 8 must be a unit quaternion, their norm is {}",
-                                   line.where, q.norm()));
-    }
-    if (!recording.truth.empty() && t < recording.truth.back().t) {
-      throw InputError(fmt::format("{}: the stamps must not decrease, {} does", line.where, line.text(0)));
-    }
-    recording.truth.push_back({t, {line.number(1), line.number(2), line.number(3)}, q.normalized()});
-  }
+  recording.truth = read_tum_poses(folder / "groundtruth.txt");
   return recording;
 }
 

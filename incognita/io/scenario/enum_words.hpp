@@ -34,9 +34,15 @@ inline constexpr auto enum_words<RecordingSettings::Format> =
                                                         {RecordingSettings::Format::images, "images"},
                                                         {RecordingSettings::Format::tum, "tum"},
                                                         {RecordingSettings::Format::euroc, "euroc"},
+                                                        {RecordingSettings::Format::kitti, "kitti"},
+                                                        {RecordingSettings::Format::video, "video"},
                                                         {RecordingSettings::Format::acfr, "acfr"},
                                                         {RecordingSettings::Format::mrclam, "mrclam"},
                                                         {RecordingSettings::Format::tables, "tables"}});
+template <>
+inline constexpr auto enum_words<RecordingSettings::TruthFrame> =
+    std::to_array<EnumWord<RecordingSettings::TruthFrame>>(
+        {{RecordingSettings::TruthFrame::own, "own"}, {RecordingSettings::TruthFrame::estimate, "estimate"}});
 template <>
 inline constexpr auto enum_words<StartSettings::From> = std::to_array<EnumWord<StartSettings::From>>(
     {{StartSettings::From::target, "target"}, {StartSettings::From::free, "free"}});

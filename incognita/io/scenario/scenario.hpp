@@ -139,24 +139,42 @@ struct CameraSettings {
 };
 
 struct RecordingSettings {
-  enum class Format { automatic, images, tum, euroc, acfr, mrclam, tables };
+  enum class Format { automatic, images, tum, euroc, kitti, video, acfr, mrclam, tables };
+  /// The frame of the true poses.
+  enum class TruthFrame {
+    own,      ///< any; errors are after a fit
+    estimate  ///< that of the estimate, e.g. of the target
+  };
 
   Format format = Format::automatic;
   std::string folder;
   std::string pattern;
   bool check_calibration = true;
+  std::string truth;
+  double truth_offset_s = 0;
+  TruthFrame truth_frame = TruthFrame::own;
   int robot = 1;
   bool team = false;
 
   static void describe(auto&& setting) {
     using namespace limits;
     using S = RecordingSettings;
-    setting(&S::format, "format", "", any(), "Format of the recording; `auto`: guessed from the folder");
-    setting(&S::folder, "folder", "", any(), "Folder of the recording, relative to the data folder");
+    setting(&S::format, "format", "", any(), "Format of the recording; `auto`: guessed from its files");
+    setting(&S::folder, "folder", "", any(),
+            "Folder of the recording, or its file if it is a video, relative to the data folder");
     setting(&S::pattern, "pattern", "", any(),
             "Shell pattern of the file names of the images; empty: all images, which must be of one kind");
     setting(&S::check_calibration, "check_calibration", "", any(),
             "Whether the camera is compared with the calibration of the recording");
+    setting(
+        &S::truth, "truth", "", any(),
+        "File of the true camera poses: TUM, or 4x4 or 3x4 matrices, one per image; or a folder with a 4x4 matrix "
+        "per file; relative to the recording or to the data folder; empty: as the recording has it");
+    setting(&S::truth_offset_s, "truth_offset_s", "s", any(),
+            "Time of the images minus time of the true poses, for two clocks");
+    setting(
+        &S::truth_frame, "truth_frame", "", any(),
+        "Frame of the true poses: `own`, so that errors are after a fit, or `estimate`, that of the target");
     setting(&S::robot, "robot", "", between(1, 5), "Number of the recorded robot");
     setting(&S::team, "team", "", any(), "Whether all recorded robots are estimated in one belief");
   }

@@ -16,6 +16,10 @@ using List = std::vector<Contradiction>;
 void check_sources(const Scenario& s, List& found) {
   if (s.is_recording() && s.recording.folder.empty())
     found.push_back({"recording.folder", "must name the recording, world.type being `recording`"});
+  if (s.is_recording() && s.start.from == StartSettings::From::free && s.sensor.type == "camera" &&
+      s.recording.truth_frame == RecordingSettings::TruthFrame::estimate)
+    found.push_back({"recording.truth_frame",
+                     "must be `own` without a target: frame and scale of the estimate are arbitrary then"});
   if (s.sensor.type == "camera" && s.start.from == StartSettings::From::target && s.start.target.empty())
     found.push_back(
         {"start.target",

@@ -1,0 +1,136 @@
+// Videos as recordings: times, images in any order, damage.
+#include "incognita/io/recordings/video.hpp"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "incognita/io/recordings/recorded_images.hpp"
+#include "tests/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+using testing::contents;
+using testing::message_of;
+using testing::Scratch;
+
+constexpr int width = 64, height = 48;
+
+/// Image k is gray with the value 10 k, so that it can be told from the others.
+int shade(int k) { return 10 * k; }
+
+/// FFV1 is lossless; the rate is the only time that it stores.
+void write_video(const std::filesystem::path& file, int images, double rate_hz, const char* codec = "FFV1") {
+  cv::VideoWriter video(file.string(), cv::CAP_FFMPEG,
+                        cv::VideoWriter::fourcc(codec[0], codec[1], codec[2], codec[3]), rate_hz,
+                        cv::Size(width, height));
+  ASSERT_TRUE(video.isOpened()) << "FFmpeg cannot write " << codec;
+  for (int k = 0; k < images; ++k) video.write(cv::Mat(height, width, CV_8UC3, cv::Scalar::all(shade(k))));
+}
+
+std::string all_notes(const Recording& recording) {
+  std::string all;
+  for (const std::string& note : recording.notes) all += note + "\n";
+  return all;
+}
+
+int shade_of(const Recording& recording, std::size_t k) {
+  const auto image = recording.images->read(k);
+  EXPECT_EQ(image->width(), width);
+  EXPECT_EQ(image->height(), height);
+  return (*image)(width / 2, height / 2);
+}
+
+TEST(Video, HasTheTimesAndImagesThatWereWritten) {
+  const Scratch scratch;
+  for (const char* name : {"clip.mkv", "clip.avi"}) {
+    write_video(scratch / name, 12, 25);
+    const Recording recording = read_recording(scratch / name, "auto", 1);
+    EXPECT_EQ(recording.format, "video");
+    ASSERT_EQ(recording.frames.size(), 12u) << name;
+    for (int k = 0; k < 12; ++k) {
+      EXPECT_NEAR(recording.frames[static_cast<std::size_t>(k)].t, k / 25.0, 1e-3) << name << ", image " << k;
+      EXPECT_NEAR(shade_of(recording, static_cast<std::size_t>(k)), shade(k), 1) << name;
+    }
+    EXPECT_HAS(all_notes(recording), "detected format `video`");
+    EXPECT_HAS(all_notes(recording), "12 images of 64x48 px in 0.44 s");
+  }
+}
+
+TEST(Video, GivesImagesInAnyOrder) {
+  const Scratch scratch;
+  write_video(scratch / "clip.mkv", 8, 10);
+  const Recording recording = read_video(scratch / "clip.mkv");
+  for (const int k : {5, 2, 2, 7, 0, 6})
+    EXPECT_NEAR(shade_of(recording, static_cast<std::size_t>(k)), shade(k), 1);
+}
+
+TEST(Video, OfCompressedKindsKeepsItsRate) {
+  const Scratch scratch;
+  write_video(scratch / "clip.mp4", 20, 30, "mp4v");
+  const Recording recording = read_video(scratch / "clip.mp4");
+  ASSERT_EQ(recording.frames.size(), 20u);
+  EXPECT_NEAR(recording.frames[19].t, 19 / 30.0, 1e-3);
+  EXPECT_NEAR(shade_of(recording, 10), shade(10), 4);
+}
+
+TEST(Video, IsUsedUpToItsDamage) {
+  const Scratch scratch;
+  write_video(scratch / "whole.avi", 20, 25, "MJPG");
+  const std::string bytes = contents(scratch / "whole.avi");
+  scratch.write("cut.avi", bytes.substr(0, bytes.size() * 6 / 10));
+  const Recording recording = read_video(scratch / "cut.avi");
+  EXPECT_GE(recording.frames.size(), 2u);
+  EXPECT_LT(recording.frames.size(), 20u);
+  for (std::size_t k = 0; k < recording.frames.size(); ++k)
+    EXPECT_NEAR(shade_of(recording, k), shade(static_cast<int>(k)), 4);
+  EXPECT_HAS(all_notes(recording), "can be decoded: the rest is damaged or missing");
+}
+
+TEST(Video, CutAnywhereIsReadOrRefused) {
+  const Scratch scratch;
+  write_video(scratch / "whole.mkv", 6, 25);
+  const std::string bytes = contents(scratch / "whole.mkv");
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 23) {
+    scratch.write("cut.mkv", bytes.substr(0, size));
+    try {
+      const Recording recording = read_video(scratch / "cut.mkv");
+      EXPECT_LE(recording.frames.size(), 6u);
+      shade_of(recording, recording.frames.size() - 1);
+    } catch (const InputError& error) {
+      EXPECT_HAS(std::string(error.what()), "cut.mkv");
+    }
+  }
+}
+
+TEST(Video, SaysWhatCannotBeRead) {
+  const Scratch scratch;
+  scratch.write("text.mp4", "this is no video");
+  EXPECT_HAS(message_of([&] { read_recording(scratch / "text.mp4", "auto", 30); }),
+             "text.mp4: cannot be opened as a video");
+  EXPECT_HAS(message_of([&] { read_recording(scratch / "none.mp4", "video", 30); }),
+             "none.mp4: is not a file");
+  EXPECT_HAS(message_of([&] { read_recording(scratch / "text.txt", "auto", 30); }),
+             "is not a folder; a recording must be a folder or a video");
+  write_video(scratch / "clip.mkv", 2, 25);
+  EXPECT_HAS(message_of([&] { read_recording(scratch / "clip.mkv", "auto", 30, "*.png"); }),
+             "does not apply to the format `video`");
+}
+
+TEST(Video, BecomesTheImagesOfARun) {
+  const Scratch scratch;
+  write_video(scratch / "clip.mkv", 4, 25);
+  const auto recording =
+      std::make_shared<const Recording>(with_rounded_stamps(read_video(scratch / "clip.mkv")));
+  RecordedImages images(recording, width, height);
+  BodyObservation observation;
+  images.measure({}, 0, {3, 0.12, 0.04}, observation);
+  ASSERT_EQ(observation.images.size(), 1u);
+  EXPECT_NEAR((*observation.images[0])(0, 0), shade(3), 1);
+  EXPECT_HAS(message_of([&] { RecordedImages(recording, 640, 480); }), "clip.mkv: frame 0 is 64x48 px");
+}
+
+}  // namespace
+}  // namespace incognita

@@ -16,3 +16,4 @@ find_package(nlohmann_json REQUIRED)
 incognita_test(config_test SOURCES app/config_test.cpp
                USES incognita_app_config CLI11::CLI11 nlohmann_json::nlohmann_json)
 incognita_test(terrain_file_test SOURCES io/terrain_file_test.cpp USES incognita::io opencv_core opencv_imgcodecs)
+incognita_test(bag_test SOURCES io/bags/bag_test.cpp io/bags/message_cursor_test.cpp USES incognita::bags)

@@ -151,22 +151,20 @@ const char* why_cut_short(std::string_view bytes) {
 namespace {
 
 /// Gray image, read with additional OpenCV flags `more`; empty if it cannot be decoded.
-cv::Mat decoded(const std::filesystem::path& path, int more) {
-  const std::string bytes = read_file(path, largest_image_file);
-  if (const char* why = why_cut_short(bytes))
-    throw std::runtime_error(fmt::format("{}: {}", shown(path), why));
+cv::Mat decoded(std::string_view bytes, const std::string& name, int more) {
+  if (const char* why = why_cut_short(bytes)) throw std::runtime_error(fmt::format("{}: {}", name, why));
   try {
     const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
     return cv::imdecode(raw, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION | more);
   } catch (const cv::Exception& error) {
-    throw std::runtime_error(fmt::format("{}: cannot be decoded: {}", shown(path), error.err));
+    throw std::runtime_error(fmt::format("{}: cannot be decoded: {}", name, error.err));
   }
 }
 
 }  // namespace
 
 Eigen::MatrixXd read_shares_of_white(const std::filesystem::path& path) {
-  const cv::Mat gray = decoded(path, cv::IMREAD_ANYDEPTH);
+  const cv::Mat gray = decoded(read_file(path, largest_image_file), shown(path), cv::IMREAD_ANYDEPTH);
   if (gray.empty() || (gray.type() != CV_8U && gray.type() != CV_16U))
     throw std::runtime_error(
         fmt::format("{}: is not an image of 8 or 16 bits that can be decoded", shown(path)));
@@ -179,9 +177,13 @@ Eigen::MatrixXd read_shares_of_white(const std::filesystem::path& path) {
 }
 
 Image read_image(const std::filesystem::path& path) {
-  const cv::Mat gray = decoded(path, 0);
+  return decoded_image(read_file(path, largest_image_file), shown(path));
+}
+
+Image decoded_image(std::string_view bytes, const std::string& name) {
+  const cv::Mat gray = decoded(bytes, name, 0);
   if (gray.empty() || gray.type() != CV_8U) {
-    throw std::runtime_error(fmt::format("{}: is not an image that can be decoded", shown(path)));
+    throw std::runtime_error(fmt::format("{}: is not an image that can be decoded", name));
   }
   Image image(gray.cols, gray.rows);
   for (int v = 0; v < gray.rows; ++v)

@@ -30,8 +30,17 @@ file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/io)
 incognita_embed(${PROJECT_SOURCE_DIR}/scenarios embedded_files *.toml targets/*.toml targets/*.pgm)
 incognita_embed(${PROJECT_SOURCE_DIR}/systems embedded_systems *.toml)
 
+# Bags of ROS and run.mcap: a target of its own, because record/ reads MCAP files and needs no other reader
+pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET GLOBAL liblz4)
+pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET GLOBAL libzstd)
+find_package(BZip2 REQUIRED)
+find_package(Boost 1.74 REQUIRED)  # headers only: CRC-32
+incognita_module(bags FOLDERS io/bags USES incognita::math incognita::messages
+                 PRIVATE_USES Boost::headers fmt::fmt PkgConfig::YAML_CPP PkgConfig::LZ4 PkgConfig::ZSTD
+                              BZip2::BZip2)
+
 incognita_module(io FOLDERS io/formats io/scenario io/recordings io/cameras SOURCES ${embedded_sources}
-                 USES incognita::models incognita::messages incognita::analysis
+                 USES incognita::models incognita::messages incognita::analysis incognita::bags
                  PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs opencv_imgproc opencv_videoio PkgConfig::MATIO PkgConfig::YAML_CPP)
 target_compile_definitions(incognita_io PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
 

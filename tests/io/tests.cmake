@@ -16,3 +16,13 @@ find_package(nlohmann_json REQUIRED)
 incognita_test(config_test SOURCES app/config_test.cpp
                USES incognita_app_config CLI11::CLI11 nlohmann_json::nlohmann_json)
 incognita_test(terrain_file_test SOURCES io/terrain_file_test.cpp USES incognita::io opencv_core opencv_imgcodecs)
+incognita_test(bag_test SOURCES io/bags/bag_test.cpp io/bags/message_cursor_test.cpp USES incognita::bags)
+incognita_test(bag_recording_test SOURCES io/bags/bag_parts_test.cpp io/bags/bag_recording_test.cpp
+               USES incognita::io incognita::world)
+incognita_test(damaged_bag_test SOURCES io/bags/damaged_bag_test.cpp USES incognita::io incognita::world)
+# The bags of the repository, written anew by the libraries of the field
+foreach(kind ros1 ros2)
+  add_test(NAME bags.written_by_${kind} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/io/bags/check ${kind} ${CMAKE_CURRENT_BINARY_DIR}/bags_${kind}
+           $<TARGET_FILE:bag_test> $<TARGET_FILE:bag_recording_test>)
+  set_tests_properties(bags.written_by_${kind} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
+endforeach()

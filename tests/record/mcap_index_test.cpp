@@ -36,7 +36,7 @@ void expect_messages(const McapReader& reader, int count) {
   ASSERT_EQ(reader.messages("/a").size(), static_cast<std::size_t>(count));
   ASSERT_EQ(reader.messages("/b").size(), static_cast<std::size_t>((count + 9) / 10));
   for (int i = 0; i < count; ++i) {
-    const mcap::MessagePlace& place = reader.messages("/a")[static_cast<std::size_t>(i)];
+    const bags::MessagePlace& place = reader.messages("/a")[static_cast<std::size_t>(i)];
     EXPECT_EQ(place.time_ns, i * second / 10);
     EXPECT_EQ(reader.text(place), message(i));
     if (i % 10 != 0) continue;

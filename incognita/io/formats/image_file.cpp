@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "incognita/io/formats/files.hpp"
+#include "incognita/io/formats/gray_image.hpp"
 
 namespace incognita {
 namespace {
@@ -184,10 +185,7 @@ Image decode_image(std::string_view bytes, const std::string& what) {
   const cv::Mat gray = decoded_bytes(bytes, what, 0);
   if (gray.empty() || gray.type() != CV_8U)
     throw std::runtime_error(fmt::format("{}: is not an image that can be decoded", what));
-  Image image(gray.cols, gray.rows);
-  for (int v = 0; v < gray.rows; ++v)
-    std::memcpy(image.row(v), gray.ptr(v), static_cast<std::size_t>(gray.cols));
-  return image;
+  return gray_image(gray);
 }
 
 Image read_image(const std::filesystem::path& path) {

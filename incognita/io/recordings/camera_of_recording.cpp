@@ -32,21 +32,34 @@ bool agree(const std::string& written, const std::string& calibrated) {
   return std::abs(*a - *b) <= 1e-3 * std::max(1.0, std::abs(*b));
 }
 
+/// `path` is that of the recording. What is wrong with a bag is reported by its reader.
+std::optional<CalibratedCamera> camera_in(const std::filesystem::path& path,
+                                          const RecordingSettings& settings) {
+  if (looks_like_euroc(path)) return camera_in_euroc(path);
+  if (looks_like_kitti(path)) return camera_in_kitti(path);
+  if (looks_like_bag(path)) try {
+      return camera_in_bag(path, {settings.image_topic, settings.truth_topic});
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<FoundCamera> camera_of_recording(const Scenario& s, const std::filesystem::path& file) {
   using Format = RecordingSettings::Format;
   const Format format = s.recording.format;
-  if (format != Format::automatic && format != Format::euroc && format != Format::kitti) return std::nullopt;
+  if (format != Format::automatic && format != Format::euroc && format != Format::kitti &&
+      format != Format::bag)
+    return std::nullopt;
   std::filesystem::path folder;
   try {
     folder = find_data(s.recording.folder, file, "");
   } catch (const InputError&) {
     return std::nullopt;  // reported by the reader of the recording
   }
-  const auto calibration = looks_like_euroc(folder)   ? camera_in_euroc(folder)
-                           : looks_like_kitti(folder) ? camera_in_kitti(folder)
-                                                      : std::nullopt;
+  const auto calibration = camera_in(folder, s.recording);
   if (!calibration) return std::nullopt;
   if (!calibration->unfit.empty())
     throw InputError(fmt::format(

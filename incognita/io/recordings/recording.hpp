@@ -14,6 +14,11 @@
 
 namespace incognita {
 
+/// Topics of a bag; empty: guessed, and said in the notes.
+struct BagTopics {
+  std::string images, truth;
+};
+
 struct RecordedPose {
   double t = 0;                                   ///< s, on the clock of the images
   Eigen::Vector3d position{0, 0, 0};              ///< m, in the world frame of the recording
@@ -25,7 +30,7 @@ struct Recording {
     double t = 0;                 ///< s, increasing
     std::filesystem::path image;  ///< its file; empty where one file holds all images
   };
-  std::string format;                             ///< `images`, `tum`, `euroc`, `kitti` or `video`
+  std::string format;                             ///< `images`, `tum`, `euroc`, `kitti`, `video` or `bag`
   std::filesystem::path folder;                   ///< or the file that holds all images
   std::vector<RecordedFrame> frames;              ///< at least one
   std::vector<RecordedPose> truth;                ///< in time order; empty if unknown
@@ -39,10 +44,10 @@ struct Recording {
 /// their origin. Times of images without stamps, which follow from a rate, stay as they are.
 Recording with_rounded_stamps(Recording recording);
 
-/// `path` is a folder, or the file of a video. `format` is `auto` or one of Recording::format; `rate_hz` is used for images
+/// `path` is a folder, or the file of a video or of a bag. `format` is `auto` or one of Recording::format; `rate_hz` is used for images
 /// without time stamps. `pattern` selects images by name as in a shell; empty: all. Throws InputError naming file and line.
 Recording read_recording(const std::filesystem::path& path, const std::string& format, double rate_hz,
-                         const std::string& pattern = "");
+                         const std::string& pattern = "", const BagTopics& topics = {});
 
 /// The recording named by a scenario, searched under the data folder, with the true poses that the scenario names.
 Recording read_recording(const LoadedScenario& loaded);

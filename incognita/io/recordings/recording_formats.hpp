@@ -29,4 +29,11 @@ bool looks_like_kitti(const std::filesystem::path& folder);
 /// From calib.txt and the size of the first image; nullopt if there is none.
 std::optional<CalibratedCamera> camera_in_kitti(const std::filesystem::path& folder);
 
+/// An MCAP file, a bag of ROS 1, or the folder of a ROS 2 bag. The images are those of one topic, at the times of their headers,
+/// else of the recorder; the truth is that of a topic of poses, or the pose of the camera in the transforms.
+Recording read_bag(const std::filesystem::path& path, const BagTopics& topics);
+bool looks_like_bag(const std::filesystem::path& path);
+/// From the first CameraInfo of the camera that read_bag() uses; nullopt if there is none.
+std::optional<CalibratedCamera> camera_in_bag(const std::filesystem::path& path, const BagTopics& topics);
+
 }  // namespace incognita

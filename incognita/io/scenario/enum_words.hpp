@@ -37,6 +37,7 @@ inline constexpr auto enum_words<RecordingSettings::Format> =
                                                         {RecordingSettings::Format::euroc, "euroc"},
                                                         {RecordingSettings::Format::kitti, "kitti"},
                                                         {RecordingSettings::Format::video, "video"},
+                                                        {RecordingSettings::Format::bag, "bag"},
                                                         {RecordingSettings::Format::acfr, "acfr"},
                                                         {RecordingSettings::Format::mrclam, "mrclam"},
                                                         {RecordingSettings::Format::tables, "tables"}});

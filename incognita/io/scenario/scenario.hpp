@@ -141,7 +141,7 @@ struct CameraSettings {
 };
 
 struct RecordingSettings {
-  enum class Format { automatic, images, tum, euroc, kitti, video, acfr, mrclam, tables };
+  enum class Format { automatic, images, tum, euroc, kitti, video, bag, acfr, mrclam, tables };
   /// The frame of the true poses.
   enum class TruthFrame {
     own,      ///< any; errors are after a fit
@@ -153,6 +153,8 @@ struct RecordingSettings {
   std::string pattern;
   bool check_calibration = true;
   std::string truth;
+  std::string image_topic;
+  std::string truth_topic;
   double truth_offset_s = 0;
   TruthFrame truth_frame = TruthFrame::own;
   int robot = 1;
@@ -163,7 +165,7 @@ struct RecordingSettings {
     using S = RecordingSettings;
     setting(&S::format, "format", "", any(), "Format of the recording; `auto`: guessed from its files");
     setting(&S::folder, "folder", "", any(),
-            "Folder of the recording, or its file if it is a video, relative to the data folder");
+            "Folder of the recording, or its file if it is a video or a bag, relative to the data folder");
     setting(&S::pattern, "pattern", "", any(),
             "Shell pattern of the file names of the images; empty: all images, which must be of one kind");
     setting(&S::check_calibration, "check_calibration", "", any(),
@@ -172,6 +174,10 @@ struct RecordingSettings {
         &S::truth, "truth", "", any(),
         "File of the true camera poses: TUM, or 4x4 or 3x4 matrices, one per image; or a folder with a 4x4 matrix "
         "per file; relative to the recording or to the data folder; empty: as the recording has it");
+    setting(&S::image_topic, "image_topic", "", any(),
+            "Topic of the images in a bag; empty: guessed, and said");
+    setting(&S::truth_topic, "truth_topic", "", any(),
+            "Topic of the true poses in a bag, e.g. of motion capture, or `/tf`; empty: guessed, and said");
     setting(&S::truth_offset_s, "truth_offset_s", "s", any(),
             "Time of the images minus time of the true poses, for two clocks");
     setting(

@@ -352,8 +352,11 @@ void recorded_images(SettingReader& r, Scenario& s, const CameraFinder& find_cam
   run(r, s, true, true);
   r.section("recording");
   if (format == Format::images || format == Format::automatic) r.some(s.recording, &R::pattern);
-  if (format == Format::euroc || format == Format::kitti || format == Format::automatic)
+  if (format == Format::euroc || format == Format::kitti || format == Format::bag ||
+      format == Format::automatic)
     r.some(s.recording, &R::check_calibration);
+  if (format == Format::bag || format == Format::automatic)
+    r.some(s.recording, &R::image_topic, &R::truth_topic);
   r.some(s.recording, &R::truth, &R::truth_offset_s, &R::truth_frame);
   if (find_camera && !r.has_given("camera"))
     if (auto found = find_camera(s)) s.camera = found->camera, r.defaults_are(found->source);

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "incognita/record/files/input_file.hpp"
-#include "incognita/record/mcap/mcap_index.hpp"
+#include "incognita/io/bags/bag_index.hpp"
+#include "incognita/io/bags/input_file.hpp"
 
 namespace incognita {
 
@@ -23,17 +23,17 @@ class McapReader {
   const std::filesystem::path& path() const { return file_.path(); }
 
   /// The messages of a topic in their order in the file; none if there is no such topic.
-  const std::vector<mcap::MessagePlace>& messages(std::string_view topic) const;
+  const std::vector<bags::MessagePlace>& messages(std::string_view topic) const;
 
   /// The JSON text of a message. Throws InputError if there is no complete message at that place.
-  std::string text(const mcap::MessagePlace& message) const;
+  std::string text(const bags::MessagePlace& message) const;
 
   /// What is wrong with the file after the messages that can be read, with the byte; empty for a whole file.
   const std::string& damage() const { return damage_; }
 
  private:
   InputFile file_;
-  std::map<std::string, std::vector<mcap::MessagePlace>, std::less<>> messages_;  ///< by topic
+  std::map<std::string, std::vector<bags::MessagePlace>, std::less<>> messages_;  ///< by topic
   std::string damage_;
 };
 

@@ -1,7 +1,6 @@
 #include "incognita/record/mcap/mcap_records.hpp"
 
 #include <algorithm>
-#include <boost/crc.hpp>
 #include <concepts>
 
 namespace incognita::mcap {
@@ -112,19 +111,6 @@ void append_summary_offset(std::string& bytes, Opcode group, std::uint64_t start
 }
 
 }  // namespace
-
-void Crc32::add(std::string_view bytes) {
-  boost::crc_32_type crc;
-  crc.reset(remainder_);
-  crc.process_bytes(bytes.data(), bytes.size());
-  remainder_ = crc.get_interim_remainder();
-}
-
-std::uint32_t Crc32::value() const {
-  boost::crc_32_type crc;
-  crc.reset(remainder_);
-  return crc.checksum();
-}
 
 std::string opening_part(std::string_view library) {
   std::string bytes(magic);

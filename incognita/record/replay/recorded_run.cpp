@@ -43,7 +43,7 @@ RecordedRun::RecordedRun(const fs::path& path)
       log_(log_in(path)),
       scan_(scan_snapshots(log_)) {}
 
-const mcap::MessagePlace& RecordedRun::snapshot_at(std::int64_t frame) const {
+const bags::MessagePlace& RecordedRun::snapshot_at(std::int64_t frame) const {
   if (frame < 0 || frame >= frames())
     throw InputError(log_.path().string() + ": there is no frame " + std::to_string(frame) +
                      "; the frames are 0 to " + std::to_string(frames() - 1));
@@ -71,9 +71,9 @@ std::optional<std::string> RecordedRun::image(std::int64_t frame) const {
   const std::uint64_t until = snapshot_at(frame).offset;  // the image of a frame precedes its snapshot
   const auto& images = log_.messages("/camera/image");
   const auto after = std::partition_point(
-      images.begin(), images.end(), [&](const mcap::MessagePlace& image) { return image.offset < until; });
+      images.begin(), images.end(), [&](const bags::MessagePlace& image) { return image.offset < until; });
   if (after == images.begin()) return std::nullopt;
-  const mcap::MessagePlace& last = *std::prev(after);
+  const bags::MessagePlace& last = *std::prev(after);
   return image_of_message(log_.text(last), log_.path().string() + ": at byte " + std::to_string(last.offset));
 }
 

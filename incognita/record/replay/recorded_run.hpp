@@ -39,7 +39,7 @@ class RecordedRun {
   std::string summary_json() const;
 
  private:
-  const mcap::MessagePlace& snapshot_at(std::int64_t frame) const;
+  const bags::MessagePlace& snapshot_at(std::int64_t frame) const;
 
   std::filesystem::path directory_;
   std::string name_;

@@ -139,7 +139,7 @@ SnapshotScan scan_snapshots(const McapReader& log) {
   const auto& messages = log.messages(snapshot_topic);
   Scanner scanner;
   std::string damage = log.damage();
-  for (const mcap::MessagePlace& message : messages) {
+  for (const bags::MessagePlace& message : messages) {
     const auto damaged = [&](const std::string& why) {
       damage = fmt::format("{}: at byte {}: not a snapshot of this program: {}", log.path().string(),
                            message.offset, why);

@@ -1,4 +1,4 @@
-#include "incognita/record/files/input_file.hpp"
+#include "incognita/io/bags/input_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

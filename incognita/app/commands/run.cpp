@@ -152,6 +152,7 @@ RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, con
     if (options.realtime) wait_until(start, tick.t - *first_t);
     return !interrupted();
   };
+  callbacks.is_over = [page] { return page ? page->control().is_ending() : interrupted(); };
   if (logged) callbacks.interventions = &*logged;
   if (page) {
     callbacks.interventions = page;

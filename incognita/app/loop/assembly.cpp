@@ -15,6 +15,7 @@ namespace {
 Assembly assembled(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   if (s.is_simulated()) return assemble_points(loaded);
+  if (s.is_robot()) return assemble_robot(loaded);
   if (!s.is_recording()) return assemble_rendered(loaded);
   return s.sensor.type == "camera" ? assemble_recorded_images(loaded) : assemble_recorded_ranges(loaded);
 }

@@ -11,6 +11,7 @@
 #include "incognita/slam/points/planar_settings.hpp"
 #include "incognita/world/points/point_world.hpp"
 #include "incognita/world/replay/recorded_ranges.hpp"
+#include "incognita/world/robot/robot_feed.hpp"
 
 namespace incognita {
 
@@ -22,6 +23,7 @@ struct Assembly {
   /// True identity of each detection, tick by tick, for evaluation; null if the estimator gets the identities.
   std::shared_ptr<const AssociationTruth> association_truth = nullptr;
   SharedRangeRecordings recordings = nullptr;  ///< of range-bearing sensors; null otherwise
+  std::shared_ptr<RobotFeed> robot = nullptr;  ///< clock and sensors of a real robot; null otherwise
 };
 
 /// Throws InputError naming file and key or value, e.g. for a sensor that does not fit the vehicle, or a control law or

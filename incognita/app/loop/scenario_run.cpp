@@ -123,6 +123,12 @@ void note(const AssociationScore& score, RunSink& sink) {
   sink.note("duplicate_landmarks", std::int64_t{score.duplicate_landmarks()});
 }
 
+void begin(RobotFeed& robot, const RunCallbacks& callbacks) {
+  robot.report_to(callbacks.report);
+  if (callbacks.is_over) robot.end_when(callbacks.is_over);
+  if (callbacks.robot) callbacks.robot(robot.link());
+}
+
 }  // namespace
 
 RunOutcome run_scenario(const LoadedScenario& loaded, const SinkFactory& open,
@@ -131,12 +137,15 @@ RunOutcome run_scenario(const LoadedScenario& loaded, const SinkFactory& open,
   assembly.info.version = INCOGNITA_VERSION;
   for (const std::string& line : assembly.notes) callbacks.report(line);
   const std::unique_ptr<RunSink> sink = open(assembly.info, assembly.parts.clock->expected_frames());
+  if (assembly.robot) begin(*assembly.robot, callbacks);
   std::optional<ObservabilityWatch> watch;
   if (loaded.scenario.run.observability && loaded.scenario.has_observability_report()) watch.emplace();
   std::optional<AssociationScore> score;
   if (assembly.association_truth) score.emplace(assembly.association_truth);
   const RunConclusion conclusion = drive(assembly.parts, *sink, watch ? &*watch : nullptr,
                                          score ? &*score : nullptr, callbacks, loaded.scenario);
+  if (assembly.robot)
+    for (const auto& [name, count] : assembly.robot->counts()) sink->note(name, count);
   if (score) note(*score, *sink);
   if (watch)
     if (const auto report = watch->report()) sink->note(*report, in_words(*report));

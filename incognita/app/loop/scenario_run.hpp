@@ -15,6 +15,7 @@
 namespace incognita {
 
 class ObservabilityWatch;
+class RobotLink;
 
 /// Receives what a run publishes. An exception of publish() ends the run as `failed`.
 class RunSink {
@@ -50,6 +51,10 @@ class InterventionSource {
 struct RunCallbacks {
   std::function<void(const std::string& line)> report;    ///< receives the assumptions, for printing
   std::function<bool(const Tick& tick)> keep_going = {};  ///< false: the run is interrupted
+  /// Whether the run is to end; asked while it waits for a robot.
+  std::function<bool()> is_over = {};
+  /// Receives the link to a robot, if the scenario has one, before the first frame; it is valid until run_scenario() returns.
+  std::function<void(RobotLink&)> robot = {};
   InterventionSource* interventions = nullptr;
   /// Receives the observability monitor after each update, where the scenario has one.
   std::function<void(const ObservabilityWatch&)> observe = {};

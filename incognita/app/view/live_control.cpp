@@ -101,6 +101,11 @@ bool LiveControl::wait_for(const Tick& tick) {
   }
 }
 
+bool LiveControl::is_ending() {
+  const std::lock_guard lock(mutex_);
+  return stop_ || interrupted_();
+}
+
 std::vector<Intervention> LiveControl::take_interventions() {
   const std::lock_guard lock(mutex_);
   return std::exchange(interventions_, {});

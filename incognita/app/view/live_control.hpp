@@ -32,6 +32,8 @@ class LiveControl {
   void begin();
   /// Waits for the time of this tick, or for a step or the end of a pause. False if the run is to end.
   bool wait_for(const Tick& tick);
+  /// Whether the run is to end; does not wait.
+  bool is_ending();
   /// The interventions since the last call, in their order.
   std::vector<Intervention> take_interventions();
   /// The run has ended, as `RunStatus` says.

@@ -150,17 +150,19 @@ const char* why_cut_short(std::string_view bytes) {
 
 namespace {
 
-/// Gray image, read with additional OpenCV flags `more`; empty if it cannot be decoded.
-cv::Mat decoded(const std::filesystem::path& path, int more) {
-  const std::string bytes = read_file(path, largest_image_file);
-  if (const char* why = why_cut_short(bytes))
-    throw std::runtime_error(fmt::format("{}: {}", shown(path), why));
+/// Gray image, read with additional OpenCV flags `more`; empty if it cannot be decoded. `what`: its name in errors.
+cv::Mat decoded_bytes(std::string_view bytes, const std::string& what, int more) {
+  if (const char* why = why_cut_short(bytes)) throw std::runtime_error(fmt::format("{}: {}", what, why));
   try {
     const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
     return cv::imdecode(raw, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION | more);
   } catch (const cv::Exception& error) {
-    throw std::runtime_error(fmt::format("{}: cannot be decoded: {}", shown(path), error.err));
+    throw std::runtime_error(fmt::format("{}: cannot be decoded: {}", what, error.err));
   }
+}
+
+cv::Mat decoded(const std::filesystem::path& path, int more) {
+  return decoded_bytes(read_file(path, largest_image_file), shown(path), more);
 }
 
 }  // namespace
@@ -178,15 +180,18 @@ Eigen::MatrixXd read_shares_of_white(const std::filesystem::path& path) {
   return shares;
 }
 
-Image read_image(const std::filesystem::path& path) {
-  const cv::Mat gray = decoded(path, 0);
-  if (gray.empty() || gray.type() != CV_8U) {
-    throw std::runtime_error(fmt::format("{}: is not an image that can be decoded", shown(path)));
-  }
+Image decode_image(std::string_view bytes, const std::string& what) {
+  const cv::Mat gray = decoded_bytes(bytes, what, 0);
+  if (gray.empty() || gray.type() != CV_8U)
+    throw std::runtime_error(fmt::format("{}: is not an image that can be decoded", what));
   Image image(gray.cols, gray.rows);
   for (int v = 0; v < gray.rows; ++v)
     std::memcpy(image.row(v), gray.ptr(v), static_cast<std::size_t>(gray.cols));
   return image;
+}
+
+Image read_image(const std::filesystem::path& path) {
+  return decode_image(read_file(path, largest_image_file), shown(path));
 }
 
 }  // namespace incognita

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "incognita/vision/image.hpp"
@@ -14,6 +15,8 @@ namespace incognita {
 /// because the calibration belongs to the sensor). Throws std::runtime_error naming the file if it is
 /// missing, truncated or not an image.
 Image read_image(const std::filesystem::path& path);
+/// The same of the bytes of a file; `what` names it in errors.
+Image decode_image(std::string_view bytes, const std::string& what);
 
 /// The image as fractions of white, 0 to 1, at the full depth of an 8- or 16-bit file; rows as in the image.
 /// Throws like read_image().

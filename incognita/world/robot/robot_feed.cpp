@@ -1,0 +1,135 @@
+#include "incognita/world/robot/robot_feed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+namespace incognita {
+namespace {
+
+constexpr double nap_s = 0.05;  // between questions whether the run is to end
+constexpr std::size_t most_odometry = 1000;
+
+std::string in_seconds(double s) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f s", s);
+  return text;
+}
+
+}  // namespace
+
+RobotFeed::RobotFeed(const RobotFeedSettings& settings, std::shared_ptr<RobotLink> link,
+                     std::function<double()> now_s)
+    : settings_(settings), link_(std::move(link)), now_s_(std::move(now_s)), began_s_(now_s_()) {
+  const auto& s = settings_;
+  if (!(s.duration_s > 0 && s.period_s > 0 && s.late_s > s.period_s && s.give_up_s > s.late_s))
+    throw std::invalid_argument("a robot needs times that are positive, and late_s more than the period");
+}
+
+Tick RobotFeed::next() {
+  if (first_t_ && last_t_ && *last_t_ + settings_.period_s - *first_t_ >= settings_.duration_s) return {};
+  reading_.reset();
+  while (!is_over_()) {
+    std::optional<RobotReading> reading = link_->read(time_to_wait(now_s_()));
+    report_events();
+    const double now_s = now_s_();
+    const std::optional<Tick> tick =
+        reading ? tick_of(*std::move(reading), now_s) : tick_without_image(now_s);
+    if (tick) return *tick;
+    check_patience(now_s);
+  }
+  return {};
+}
+
+double RobotFeed::time_to_wait(double now_s) const {
+  if (!last_image_s_) return nap_s;
+  const double due_s = std::max(*last_image_s_ + settings_.late_s, *last_tick_s_ + settings_.period_s);
+  return std::clamp(due_s - now_s, 0.0, nap_s);
+}
+
+std::optional<Tick> RobotFeed::tick_of(RobotReading reading, double now_s) {
+  keep_odometry(reading.odometry);
+  if (last_t_ && reading.t <= *last_t_) {
+    ++unused_;
+    const double back_s = last_image_t_ ? *last_image_t_ - reading.t : 0;
+    if (back_s > 1)
+      report_("the stamps of the robot's images went back by " + in_seconds(back_s) +
+              ": images are not used until they are later again; if its clock was set, start another run");
+    return std::nullopt;
+  }
+  if (last_image_s_ && now_s - *last_image_s_ > settings_.late_s)
+    report_("images come again, after " + in_seconds(now_s - *last_image_s_));
+  last_image_s_ = now_s;
+  last_image_t_ = reading.t;
+  reading_ = std::move(reading);
+  reading_->odometry = take_odometry(reading_->t);
+  return next_tick(reading_->t);
+}
+
+/// The oldest readings make room.
+void RobotFeed::keep_odometry(const std::vector<Odometry>& readings) {
+  odometry_.insert(odometry_.end(), readings.begin(), readings.end());
+  std::ranges::stable_sort(odometry_, {}, &Odometry::t);
+  if (odometry_.size() > most_odometry)
+    odometry_.erase(odometry_.begin(), odometry_.end() - static_cast<std::ptrdiff_t>(most_odometry));
+}
+
+/// Those since the last tick, until `t`.
+std::vector<Odometry> RobotFeed::take_odometry(double t) {
+  std::vector<Odometry> since;
+  for (const Odometry& odometry : odometry_)
+    if ((!last_t_ || odometry.t > *last_t_) && odometry.t <= t) since.push_back(odometry);
+  std::erase_if(odometry_, [&](const Odometry& odometry) { return odometry.t <= t; });
+  return since;
+}
+
+/// Its time is that of the robot's clock when the image was due, which is less than now: images that come again are later.
+std::optional<Tick> RobotFeed::tick_without_image(double now_s) {
+  if (!last_image_s_ || now_s < *last_image_s_ + settings_.late_s ||
+      now_s < *last_tick_s_ + settings_.period_s)
+    return std::nullopt;
+  check_patience(now_s);
+  const double t = *last_image_t_ + (now_s - *last_image_s_) - settings_.late_s + settings_.period_s;
+  if (*last_t_ <= *last_image_t_) report_("no image for " + in_seconds(now_s - *last_image_s_));
+  if (t <= *last_t_) return std::nullopt;
+  return next_tick(rounded_to_us(t));
+}
+
+Tick RobotFeed::next_tick(double t) {
+  last_tick_s_ = now_s_();
+  const double dt = last_t_ ? duration_s(*last_t_, t, true) : 0;
+  if (!first_t_) first_t_ = t;
+  last_t_ = t;
+  return {frame_++, t, dt, true};
+}
+
+BodyObservation RobotFeed::observation() const {
+  BodyObservation body;
+  if (!reading_) return body;
+  body.images.push_back(reading_->image);
+  body.odometry = reading_->odometry;
+  return body;
+}
+
+std::vector<std::pair<std::string, std::int64_t>> RobotFeed::counts() const {
+  auto counts = link_->counts();
+  counts.emplace_back("robot_outdated_images", unused_);
+  return counts;
+}
+
+void RobotFeed::report_events() {
+  for (const std::string& event : link_->take_events()) report_(event);
+}
+
+void RobotFeed::check_patience(double now_s) const {
+  const double waited_s = now_s - last_image_s_.value_or(began_s_);
+  if (waited_s < settings_.give_up_s) return;
+  const std::string problem = link_->problem();
+  throw std::runtime_error(
+      "no image of the robot for " + in_seconds(waited_s) + ": " +
+      (problem.empty() ? "it is connected, but publishes none on robot.image_topic" : problem));
+}
+
+}  // namespace incognita

@@ -53,8 +53,8 @@ struct RunCallbacks {
   std::function<bool(const Tick& tick)> keep_going = {};  ///< false: the run is interrupted
   /// Whether the run is to end; asked while it waits for a robot.
   std::function<bool()> is_over = {};
-  /// Receives the link to a robot, if the scenario has one, before the first frame; it is valid until run_scenario() returns.
-  std::function<void(RobotLink&)> robot = {};
+  /// Receives the link to a robot, if the scenario has one, before the first frame.
+  std::function<void(const std::shared_ptr<RobotLink>&)> robot = {};
   InterventionSource* interventions = nullptr;
   /// Receives the observability monitor after each update, where the scenario has one.
   std::function<void(const ObservabilityWatch&)> observe = {};

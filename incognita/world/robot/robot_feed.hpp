@@ -38,7 +38,7 @@ class RobotFeed {
   Tick next();
   /// What was measured for the last tick: nothing where images are late.
   BodyObservation observation() const;
-  RobotLink& link() { return *link_; }
+  const std::shared_ptr<RobotLink>& link() const { return link_; }
   /// For the summary of a run: those of the link, and images whose stamps were not later than the last tick.
   std::vector<std::pair<std::string, std::int64_t>> counts() const;
 

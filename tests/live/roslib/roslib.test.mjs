@@ -1,4 +1,5 @@
 // The simulated robot as roslib, the JavaScript client of rosbridge, sees it.
+import definitions from '@foxglove/rosmsg-msgs-common';
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { readFileSync, rmSync } from 'node:fs';
@@ -61,20 +62,43 @@ function message(ros, name, messageType, fits = () => true) {
   }), name);
 }
 
+/** Fails unless a message has exactly the fields of its definition, and these their types. @param {string} path for errors */
+function conforms(all, value, type, path) {
+  const fields = all[type].definitions.filter((field) => !field.isConstant);
+  assert.deepEqual(Object.keys(value).sort(), fields.map((field) => field.name).sort(), path);
+  for (const { name, type: of, isComplex, isArray, arrayLength } of fields) {
+    const at = `${path}.${name}`, found = value[name];
+    if (/^u?int8$/.test(of) && isArray) assert.equal(typeof found, 'string', at);
+    else if (isArray) {
+      assert.ok(Array.isArray(found) && found.every((x) => typeof x === 'number'), at);
+      if (arrayLength) assert.equal(found.length, arrayLength, at);
+    } else if (/^(time|duration)$/.test(of)) {
+      const [s, ns] = all === definitions.ros1 ? ['secs', 'nsecs'] : ['sec', 'nanosec'];
+      assert.deepEqual(Object.keys(found).sort(), [s, ns].sort(), at);
+      assert.ok(Number.isInteger(found[s]) && Number.isInteger(found[ns]) && found[ns] < 1e9, at);
+    } else if (isComplex) conforms(all, found, of, at);
+    else assert.equal(typeof found, { string: 'string', bool: 'boolean' }[of] ?? 'number', at);
+  }
+}
+
 for (const [generation, names] of [['1', ['secs', 'nsecs']], ['2', ['sec', 'nanosec']]])
   test(`images, calibration and odometry have the fields of ROS ${generation}`, async (t) => {
     const { ros } = await connected(t, `ros${generation}`, ['--ros', generation]);
     const middle = generation === '2' ? 'msg/' : '';
+    const all = generation === '1' ? definitions.ros1 : definitions.ros2jazzy;
     const image = await message(ros, '/camera/image_raw/compressed', `sensor_msgs/${middle}CompressedImage`);
     assert.deepEqual(Object.keys(image.header.stamp).sort(), [...names].sort());
+    conforms(all, image, 'sensor_msgs/CompressedImage', 'image');
     assert.equal(image.format, 'jpeg');
     const bytes = Buffer.from(image.data, 'base64');
     assert.deepEqual([...bytes.subarray(0, 3)], [0xff, 0xd8, 0xff]);
     assert.ok(Math.abs(image.header.stamp[names[0]] - Date.now() / 1000) < 5, 'the clock is that of the machine');
     const info = await message(ros, '/camera/camera_info', `sensor_msgs/${middle}CameraInfo`);
+    conforms(all, info, 'sensor_msgs/CameraInfo', 'info');
     assert.equal(info.width, 320);
     assert.equal(info[generation === '2' ? 'k' : 'K'][0], 195);
     const odometry = await message(ros, '/odom', `nav_msgs/${middle}Odometry`);
+    conforms(all, odometry, 'nav_msgs/Odometry', 'odometry');
     assert.equal(odometry.twist.twist.linear.x, 0);
     assert.equal(odometry.pose.covariance.length, 36);
   });

@@ -3,6 +3,7 @@
 import { RefusedError, fetchFinalObservability, fetchInfo, fetchMode, fetchSeries } from './connection/api.js';
 import { followLiveRun } from './connection/live-run.js';
 import { ReplayRun } from './connection/replay-run.js';
+import { robotStop } from './math/robot-stop.js';
 import { announcer } from './panels/announcer.js';
 import { button, element, labeled, select } from './panels/dom.js';
 import { helpDialog } from './panels/help.js';
@@ -110,7 +111,7 @@ function buildPage(session, indices) {
   const preset = (/** @type {import('./scene/view-control.js').Preset} */ which) => () =>
     views.forEach((view) => view.preset(which));
   listenToShortcuts({
-    ' ': () => (replaying() ? line.togglePlay() : session.control && loop.togglePause()),
+    ' ': () => (replaying() ? line.togglePlay() : session.control && loop.space()),
     '.': () => (replaying() ? line.frame(1) : session.control && loop.step()),
     ',': () => replaying() && line.frame(-1),
     ']': () => replaying() && line.event(1),
@@ -123,7 +124,7 @@ function buildPage(session, indices) {
     n: () => session.control && newRun.open(),
     t: () => theme.click(),
     '?': () => help.showModal(),
-  });
+  }, (key) => key === ' ' && !replaying() && robotStop(session.loop).shown);
   clock.on(
     'time',
     () => replaying() && replays.forEach((replay) => replay.showTime(clock.time, clock.playing)),

@@ -40,7 +40,7 @@ incognita_module(bags FOLDERS io/bags USES incognita::math incognita::messages
                               BZip2::BZip2)
 
 incognita_module(io FOLDERS io/formats io/scenario io/recordings io/cameras SOURCES ${embedded_sources}
-                 USES incognita::models incognita::messages incognita::analysis incognita::bags
+                 USES incognita::models incognita::messages incognita::analysis incognita::world incognita::bags
                  PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs opencv_imgproc opencv_videoio PkgConfig::MATIO PkgConfig::YAML_CPP)
 target_compile_definitions(incognita_io PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
 

@@ -55,6 +55,7 @@ LiveMessage image_of(const Snapshot& snapshot) {
 Json json_of(const LiveState& state, std::size_t viewers) {
   Json json{{"type", "state"},      {"running", state.running}, {"paused", state.paused},
             {"speed", state.speed}, {"viewers", viewers},       {"ended", nullptr}};
+  json["robot_stopped"] = state.robot_stopped ? Json(*state.robot_stopped) : Json(nullptr);
   if (!state.ended_status.empty())
     json["ended"] = {{"status", state.ended_status}, {"reason", state.ended_reason}};
   return json;

@@ -40,7 +40,6 @@ using Error = beast::error_code;
 
 constexpr std::size_t most_header_bytes = 8u << 10;
 constexpr std::chrono::seconds request_time{10};  // to send a whole request
-constexpr const char* websocket_path = "/ws";
 constexpr const char* security_policy =
     "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; "
     "object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -114,7 +113,7 @@ class WebSocketSession final : public Viewer,
     websocket::stream_base::timeout limits{request_time, std::chrono::seconds(shared_.settings.idle_s), true};
     socket_.set_option(limits);
     socket_.set_option(websocket::stream_base::decorator([this](websocket::response_type& response) {
-      response.set(http::field::sec_websocket_protocol, subprotocol_);
+      if (!subprotocol_.empty()) response.set(http::field::sec_websocket_protocol, subprotocol_);
     }));
     socket_.read_message_max(largest_message_bytes());
     sessions_.insert(this->shared_from_this());
@@ -290,13 +289,14 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
   void upgrade(const http::request<http::string_body>& request, const HttpRequest& asked,
                const std::string& why) {
     if (!why.empty()) return refuse(403, why);
-    if (asked.path != websocket_path) return refuse(404, "WebSockets are at /ws");
+    if (asked.path != shared_.settings.websocket_path)
+      return refuse(404, "WebSockets are at " + shared_.settings.websocket_path);
     if (buffer_.size() > 0)
       return refuse(400,
                     "data follow the request for a WebSocket; wait for its answer (RFC 6455, Section 4.1)");
     const std::string offered(view_of(request[http::field::sec_websocket_protocol]));
     for (const auto& [name, protocol] : shared_.handlers.protocols) {
-      if (!http::token_list(offered).exists(name)) continue;
+      if (name.empty() ? !offered.empty() : !http::token_list(offered).exists(name)) continue;
       std::make_shared<WebSocketSession<Stream>>(std::move(stream_), std::move(place_), shared_, sessions_,
                                                  name, protocol)
           ->run(request);

@@ -23,6 +23,7 @@ struct ServerSettings {
   AccessRules access;
   /// PEM files: with them, the connection is encrypted, and the address begins with https; docs/live-page.md.
   std::filesystem::path certificate = {}, certificate_key = {};
+  std::string websocket_path = "/ws";
   std::size_t max_connections = 64;  ///< HTTP and WebSocket together
   std::size_t max_message_bytes = 64u << 10;
   int idle_s = 30;  ///< after which a silent connection is closed; WebSocket viewers are pinged before
@@ -71,7 +72,7 @@ struct ServerHandlers {
   std::function<std::optional<HttpAnswer>(const HttpRequest&)> public_answer;
   /// Answers GET requests of those who have access. Both are called in the server's thread; exceptions become status 500.
   std::function<HttpAnswer(const HttpRequest&)> answer;
-  /// By subprotocol, in the order of preference.
+  /// By subprotocol, in the order of preference; "" is for clients that offer none.
   std::vector<std::pair<std::string, std::shared_ptr<ViewerProtocol>>> protocols;
   /// Refusals and failures, at most a few per second; called in the server's thread.
   std::function<void(const std::string&)> log;

@@ -30,6 +30,13 @@ SetSpeed speed_of(const Json& json) {
   return {factor};
 }
 
+StopRobot stop_robot_of(const Json& json) {
+  const auto found = json.find("stopped");
+  if (found == json.end() || !found->is_boolean())
+    throw InputError("stop-robot: stopped must be true or false");
+  return {found->get<bool>()};
+}
+
 StartRun start_of(const Json& json) {
   StartRun start{text_of(json, "scenario"), {}};
   const auto set = json.find("set");
@@ -54,9 +61,10 @@ ViewerCommand viewer_command(std::string_view text) {
   if (type == "speed") return speed_of(json);
   if (type == "stop") return StopRun{};
   if (type == "start") return start_of(json);
+  if (type == "stop-robot") return stop_robot_of(json);
   if (type != "intervene")
     throw InputError("message: type = \"" + type.substr(0, 80) +
-                     "\": must be pause, resume, step, speed, stop, start or intervene");
+                     "\": must be pause, resume, step, speed, stop, start, stop-robot or intervene");
   const auto found = json.find("intervention");
   if (found == json.end()) throw InputError("intervene: field \"intervention\" is missing");
   return intervention_from_json(found->dump(-1, ' ', true, Json::error_handler_t::replace));

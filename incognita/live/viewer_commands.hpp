@@ -19,13 +19,18 @@ struct SetSpeed {
   double factor = 1;
 };
 struct StopRun {};
+/// Stops a robot at once, until it is released.
+struct StopRobot {
+  bool stopped = true;
+};
 /// Ends the current run and starts another.
 struct StartRun {
   std::string scenario;
   std::vector<std::string> settings;  ///< "run.seed=7"
 };
 
-using ViewerCommand = std::variant<PauseRun, ResumeRun, StepRun, SetSpeed, StopRun, StartRun, Intervention>;
+using ViewerCommand =
+    std::variant<PauseRun, ResumeRun, StepRun, SetSpeed, StopRun, StartRun, StopRobot, Intervention>;
 
 /// Reads a JSON message of a viewer: {"type":"speed","factor":2}. Throws InputError that names the field and what is
 /// allowed.

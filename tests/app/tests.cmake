@@ -50,3 +50,5 @@ incognita_test(failed_tick_test SOURCES app/failed_tick_test.cpp
                USES incognita::app fmt::fmt)
 target_compile_definitions(failed_tick_test PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
 incognita_test(live_control_test SOURCES app/live_control_test.cpp USES incognita_app_view)
+incognita_test(robot_controller_test SOURCES app/robot_controller_test.cpp USES incognita::app)
+incognita_test(simulated_robot_test SOURCES app/simulated_robot_test.cpp USES incognita_app_robot)

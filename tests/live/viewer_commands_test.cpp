@@ -32,6 +32,13 @@ TEST(ViewerCommands, AreRead) {
   EXPECT_EQ(push.duration_s, 0.25);
 }
 
+TEST(ViewerCommands, StopARobot) {
+  EXPECT_TRUE(std::get<StopRobot>(viewer_command(R"({"type":"stop-robot","stopped":true})")).stopped);
+  EXPECT_FALSE(std::get<StopRobot>(viewer_command(R"({"type":"stop-robot","stopped":false})")).stopped);
+  EXPECT_NE(refusal(R"({"type":"stop-robot"})").find("true or false"), std::string::npos);
+  EXPECT_NE(refusal(R"({"type":"stop-robot","stopped":1})").find("true or false"), std::string::npos);
+}
+
 TEST(ViewerCommands, NameWhatIsWrong) {
   EXPECT_NE(refusal("").find("JSON"), std::string::npos);
   EXPECT_NE(refusal("[1]").find("JSON object"), std::string::npos);

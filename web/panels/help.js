@@ -3,7 +3,7 @@ import { DRIVE_KEYS } from '../math/drive-command.js';
 import { button, element } from './dom.js';
 
 const SHORTCUTS = [
-  ['Space', 'pause or resume; play or stop a replay'],
+  ['Space', 'pause or resume, with a robot: stop it; play or stop a replay'],
   ['.  and  ,', 'next frame (one step of a live run); previous frame'],
   [']  and  [', 'next and previous event of the selected kind'],
   ['1  2  3  4  0', 'view from the top, from the side, following the body, of the landmarks and paths, reset'],

@@ -1,4 +1,5 @@
 // Bar of a running loop: pause, step, speed, stop, new run.
+import { messageOfSpace, robotStop } from '../math/robot-stop.js';
 import { button, element, labeled, select } from './dom.js';
 /** @typedef {import('../state/session.js').Session} Session */
 
@@ -15,10 +16,11 @@ const SPEEDS = [
 
 /**
  * @param {Session} session @param {() => void} openNewRun
- * @returns {HTMLElement & {togglePause: () => void, step: () => void}}
+ * @returns {HTMLElement & {space: () => void, step: () => void}}
  */
 export function loopBar(session, openNewRun) {
   const togglePause = () => session.command({ type: session.loop.paused ? 'resume' : 'pause' });
+  const space = () => session.command(messageOfSpace(session.loop));
   const step = () => session.command({ type: 'step' });
   const pause = button('Pause', togglePause, { class: 'primary' });
   const stepButton = button('Step', step, { title: 'One frame (.)' });
@@ -26,6 +28,7 @@ export function loopBar(session, openNewRun) {
     'aria-label': 'speed',
   });
   const stop = button('Stop', () => session.command({ type: 'stop' }));
+  const stopRobot = button('', () => session.command(robotStop(session.loop).message), { class: 'stop-robot' });
   const words = element('span', { class: 'loop-state' });
   const running = element(
     'span',
@@ -35,11 +38,15 @@ export function loopBar(session, openNewRun) {
     labeled('speed', speed),
     stop,
   );
-  const controls = session.control ? [running, button('New run…', openNewRun)] : [];
+  const controls = session.control ? [stopRobot, running, button('New run…', openNewRun)] : [];
   session.on('loop', () => {
     const { paused, ended, speed: factor } = session.loop;
     pause.textContent = paused ? '▶ Resume' : '❚❚ Pause';
     running.hidden = ended !== null;
+    const robot = robotStop(session.loop);
+    stopRobot.hidden = !robot.shown;
+    stopRobot.textContent = robot.words;
+    stopRobot.classList.toggle('stopped', robot.stopped);
     if (![...speed.options].some(({ value }) => Number(value) === factor))
       speed.append(element('option', { value: factor }, `${factor}×`));
     if (document.activeElement !== speed) speed.value = String(factor);
@@ -52,5 +59,6 @@ export function loopBar(session, openNewRun) {
   });
   const bar = element('div', { class: 'loop-bar', role: 'group', 'aria-label': 'Loop' }, ...controls, words);
   if (!session.control) bar.append(element('span', { class: 'note' }, 'watching only'));
-  return Object.assign(bar, { togglePause, step });
+  stopRobot.hidden = true;
+  return Object.assign(bar, { space, step });
 }

@@ -113,7 +113,7 @@
 
 /**
  * @typedef {{running: boolean, paused: boolean, speed: number, viewers: number, ended: {status: string,
- *   reason: string} | null}} LoopState
+ *   reason: string} | null, robot_stopped?: boolean | null}} LoopState
  */
 /** @typedef {{lines: string[], directions: {name: string, observable: boolean}[]}} Observability */
 /**

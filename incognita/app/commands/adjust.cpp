@@ -85,7 +85,7 @@ Camera camera_of(const fs::path& run) {
   if (!fs::exists(file))
     throw InputError(file.string() + ": does not exist, and has the camera; every run writes it");
   const Scenario scenario = load_scenario(file.string()).scenario;
-  if (scenario.is_simulated() || scenario.is_room_vehicle())
+  if (scenario.is_simulated() || scenario.is_camera_vehicle())
     throw InputError(run.string() +
                      ": only the run of a camera that is tracked by images, on no vehicle, can be adjusted");
   return make_camera(scenario.camera);

@@ -9,6 +9,7 @@
 #include "incognita/app/commands/evaluate.hpp"
 #include "incognita/app/commands/observe.hpp"
 #include "incognita/app/commands/reproduce.hpp"
+#include "incognita/app/commands/robot.hpp"
 #include "incognita/app/commands/run.hpp"
 #include "incognita/app/commands/view.hpp"
 #include "incognita/app/console/print_message.hpp"
@@ -36,6 +37,7 @@ int carry_out(int argc, char** argv) {
   incognita::add_observe(app, job);
   incognita::add_campaign(app, job);
   incognita::add_view(app, job);
+  incognita::add_robot(app, job);
   incognita::add_reproduce(app, job, incognita::all_experiments());
   try {
     app.parse(argc, argv);

@@ -27,6 +27,7 @@
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/replay/recorded_run.hpp"
 #include "incognita/record/snapshot/interventions.hpp"
+#include "incognita/world/live/robot_link.hpp"
 
 namespace incognita {
 namespace {
@@ -165,6 +166,11 @@ RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, con
   if (page) {
     callbacks.live_sources.browser = page->camera();
     callbacks.interventions = page;
+    callbacks.robot = [page](const std::shared_ptr<RobotLink>& robot) {
+      page->control().set_robot([held = std::weak_ptr(robot)](bool stopped) {
+        if (const auto link = held.lock()) link->set_stopped(stopped);
+      });
+    };
     callbacks.observe = [page](const ObservabilityWatch& watch) { page->observe(watch); };
   }
   const auto frame_done = [&](const Snapshot& snapshot) {

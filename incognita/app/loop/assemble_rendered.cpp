@@ -28,22 +28,12 @@ RoomSettings room_of(const Scenario& s) {
   return room;
 }
 
-WheelOdometry odometry_of(const Scenario& s) {
-  const VehicleSettings& v = s.planar.vehicle;
-  return {s.mount, v.sigma_speed_m_s, v.sigma_turn_rate_rad_s, s.slam.filter.sigma_slip_m_s};
-}
-
 /// Of the vehicle that carries the camera.
 BodyControl carrier_control(const LoadedScenario& loaded, const Terrain& ground) {
-  constexpr double to_spare_m = 0.05;  // margin for range and wheel errors
   const Scenario& s = loaded.scenario;
   BodyControl control = body_control_of(loaded, 0, ground);
   control.carried_at = s.mount;
-  if (s.controller.avoidance_distance_m > 0)
-    control.obstacle_avoidance =
-        ObstacleAvoidanceSettings{s.controller.avoidance_distance_m,
-                                  s.room.clearance_m + to_spare_m,
-                                  {s.controller.max_speed_m_s, s.controller.max_turn_rate_rad_s}};
+  control.obstacle_avoidance = obstacle_avoidance_of(s);
   return control;
 }
 
@@ -90,7 +80,7 @@ void put_vehicle(const LoadedScenario& loaded, const Camera& camera, const std::
       sensors_of_body(room_camera(room, camera, s), std::make_unique<WheelEncoders>(),
                       std::make_unique<ProximityRing>(room->layout(), RangeRing{}, seed)));
   std::optional<WheelOdometry> odometry;
-  if (s.slam.filter.odometry) odometry = odometry_of(s);
+  if (s.slam.filter.odometry) odometry = wheel_odometry_of(s);
   put_estimator(image_estimator(loaded, camera, target, odometry), s, parts);
   parts.controller = carrier_controller(loaded, ground);
 }
@@ -134,6 +124,19 @@ void put_free_camera(const LoadedScenario& loaded, const Camera& camera, const s
 }
 
 }  // namespace
+
+WheelOdometry wheel_odometry_of(const Scenario& s) {
+  const VehicleSettings& v = s.planar.vehicle;
+  return {s.mount, v.sigma_speed_m_s, v.sigma_turn_rate_rad_s, s.slam.filter.sigma_slip_m_s};
+}
+
+std::optional<ObstacleAvoidanceSettings> obstacle_avoidance_of(const Scenario& s) {
+  constexpr double to_spare_m = 0.05;  // margin for range and wheel errors
+  const ControllerSettings& c = s.controller;
+  if (!(c.avoidance_distance_m > 0)) return std::nullopt;
+  return ObstacleAvoidanceSettings{
+      c.avoidance_distance_m, s.room.clearance_m + to_spare_m, {c.max_speed_m_s, c.max_turn_rate_rad_s}};
+}
 
 Assembly assemble_rendered(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "incognita/app/loop/assembly.hpp"
+#include "incognita/control/obstacle_avoidance.hpp"
 #include "incognita/models/sensors/camera.hpp"
 #include "incognita/models/sensors/wheel_odometry.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
@@ -21,6 +22,8 @@ Assembly assemble_recorded_images(const LoadedScenario& loaded);
 Assembly assemble_live_camera(const LoadedScenario& loaded, const LiveSources& sources);
 /// Point landmarks, simulated.
 Assembly assemble_points(const LoadedScenario& loaded);
+/// A robot that is reached by rosbridge. Connects when the loop asks for the first image.
+Assembly assemble_robot(const LoadedScenario& loaded);
 /// Recorded ranges and bearings of one vehicle or of a team.
 Assembly assemble_recorded_ranges(const LoadedScenario& loaded);
 
@@ -36,6 +39,11 @@ std::optional<Target> start_target(const LoadedScenario& loaded);
 std::unique_ptr<SlamEstimator> image_estimator(const LoadedScenario& loaded, const Camera& camera,
                                                const std::optional<Target>& target,
                                                const std::optional<WheelOdometry>& odometry = {});
+
+/// The estimator's model of the wheel odometry of the vehicle that carries the camera.
+WheelOdometry wheel_odometry_of(const Scenario& scenario);
+/// How the vehicle in the rendered room avoids obstacles; none if it does not.
+std::optional<ObstacleAvoidanceSettings> obstacle_avoidance_of(const Scenario& scenario);
 
 /// Checks that the target is at the position of the room's sheet, which depends on the room's size: otherwise
 /// the start pose would be wrong and overconfident. Throws InputError.

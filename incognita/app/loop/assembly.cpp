@@ -16,6 +16,7 @@ Assembly assembled(const LoadedScenario& loaded, const LiveSources& sources) {
   const Scenario& s = loaded.scenario;
   if (s.is_simulated()) return assemble_points(loaded);
   if (s.is_live()) return assemble_live_camera(loaded, sources);
+  if (s.is_robot()) return assemble_robot(loaded);
   if (!s.is_recording()) return assemble_rendered(loaded);
   return s.sensor.type == "camera" ? assemble_recorded_images(loaded) : assemble_recorded_ranges(loaded);
 }

@@ -10,6 +10,7 @@
 #include "incognita/record/summary/run_summary.hpp"
 #include "incognita/slam/points/planar_settings.hpp"
 #include "incognita/world/live/live_feed.hpp"
+#include "incognita/world/live/robot_link.hpp"
 #include "incognita/world/points/point_world.hpp"
 #include "incognita/world/replay/recorded_ranges.hpp"
 
@@ -23,7 +24,8 @@ struct Assembly {
   /// True identity of each detection, tick by tick, for evaluation; null if the estimator gets the identities.
   std::shared_ptr<const AssociationTruth> association_truth = nullptr;
   SharedRangeRecordings recordings = nullptr;  ///< of range-bearing sensors; null otherwise
-  std::shared_ptr<LiveFeed> live = nullptr;    ///< where images come from a camera now
+  std::shared_ptr<LiveFeed> live = nullptr;    ///< clock and sensors of a camera or robot; null otherwise
+  std::shared_ptr<RobotLink> robot = nullptr;  ///< null without one
 };
 
 /// Cameras that the program has besides those that a scenario names.

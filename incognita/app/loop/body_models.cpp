@@ -265,7 +265,7 @@ BodyControl body_control_of(const LoadedScenario& loaded, std::size_t i, const T
 ActiveSettings active_settings_of(const Scenario& s) {
   ActiveSettings out{s.decision, s.exploration};
   const ControllerSettings& can = s.controller;
-  if (s.has_carried_camera() || s.is_room_vehicle())
+  if (s.has_carried_camera() || s.is_camera_vehicle())
     out.carrier = CarrierSettings{s.mount, can.max_speed_m_s, can.max_turn_rate_rad_s};
   out.tick_s = 1 / s.run.rate_hz;
   out.seed = static_cast<std::uint64_t>(s.run.seed);

@@ -30,7 +30,8 @@ Wrapper* wrap(std::unique_ptr<Part>& part, More... more) {
 std::vector<std::string> possible_disturbances(const Scenario& scenario) {
   std::vector<std::string> names;
   if (has_images(scenario)) names = {"cover-lens", "image-noise", "light"};
-  if (!scenario.has_recorded_motion()) names.insert(names.end(), {"displace", "push"});
+  if (!scenario.has_recorded_motion() && !scenario.is_robot())
+    names.insert(names.end(), {"displace", "push"});
   return names;
 }
 

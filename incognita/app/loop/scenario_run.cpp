@@ -137,6 +137,7 @@ RunOutcome run_scenario(const LoadedScenario& loaded, const SinkFactory& open,
   for (const std::string& line : assembly.notes) callbacks.report(line);
   const std::unique_ptr<RunSink> sink = open(assembly.info, assembly.parts.clock->expected_frames());
   if (assembly.live) begin(*assembly.live, callbacks);
+  if (assembly.robot && callbacks.robot) callbacks.robot(assembly.robot);
   std::optional<ObservabilityWatch> watch;
   if (loaded.scenario.run.observability && loaded.scenario.has_observability_report()) watch.emplace();
   std::optional<AssociationScore> score;

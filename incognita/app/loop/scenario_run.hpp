@@ -16,6 +16,7 @@
 namespace incognita {
 
 class ObservabilityWatch;
+class RobotLink;
 
 /// Receives what a run publishes. An exception of publish() ends the run as `failed`.
 class RunSink {
@@ -51,9 +52,11 @@ class InterventionSource {
 struct RunCallbacks {
   std::function<void(const std::string& line)> report;    ///< receives the assumptions, for printing
   std::function<bool(const Tick& tick)> keep_going = {};  ///< false: the run is interrupted
-  /// Whether the run is to end; asked while it waits for a camera.
+  /// Whether the run is to end; asked while it waits for a camera or a robot.
   std::function<bool()> is_over = {};
   LiveSources live_sources = {};
+  /// Receives the link to a robot, if the scenario has one, before the first frame.
+  std::function<void(const std::shared_ptr<RobotLink>&)> robot = {};
   InterventionSource* interventions = nullptr;
   /// Receives the observability monitor after each update, where the scenario has one.
   std::function<void(const ObservabilityWatch&)> observe = {};

@@ -31,6 +31,11 @@ struct LiveControl::Change {
     on.anchor_.reset();
   }
   void operator()(StopRun) const { on.stop_ = true; }
+  void operator()(const StopRobot& stop) const {
+    if (!on.stop_robot_) throw InputError("this run has no robot to stop");
+    on.stop_robot_(stop.stopped);
+    on.state_.robot_stopped = stop.stopped;
+  }
   void operator()(const StartRun& start) const {
     on.start_ = start;
     on.stop_ = true;
@@ -62,11 +67,19 @@ void LiveControl::command(const ViewerCommand& command) {
 void LiveControl::begin(bool paced) {
   const std::lock_guard lock(mutex_);
   paced_ = paced;
-  state_ = {true, false, state_.speed, "", ""};
+  state_ = {true, false, state_.speed, {}, "", ""};
+  stop_robot_ = {};
   steps_ = 0;
   stop_ = start_.has_value();  // a viewer may have started yet another run while this one was loaded
   interventions_.clear();
   anchor_.reset();
+  changed();
+}
+
+void LiveControl::set_robot(std::function<void(bool)> stop) {
+  const std::lock_guard lock(mutex_);
+  stop_robot_ = std::move(stop);
+  state_.robot_stopped = false;
   changed();
 }
 
@@ -95,7 +108,7 @@ bool LiveControl::wait_for(const Tick& tick) {
       woken_.wait_for(lock, nap);
       continue;
     }
-    const auto at = due(tick.t);
+    const auto at = stop_robot_ ? std::nullopt : due(tick.t);  // a robot's clock is that of the run
     const auto now = Clock::now();
     if (!at || *at <= now) return true;
     woken_.wait_until(lock, std::min(*at, now + nap));
@@ -115,6 +128,8 @@ std::vector<Intervention> LiveControl::take_interventions() {
 void LiveControl::end(const std::string& status, const std::string& reason) {
   const std::lock_guard lock(mutex_);
   state_.running = state_.paused = false;
+  state_.robot_stopped.reset();
+  stop_robot_ = {};
   state_.ended_status = status;
   state_.ended_reason = reason;
   changed();

@@ -31,6 +31,8 @@ class LiveControl {
   /// A run begins, not paused, at the speed of the last one; at first in real time. Not `paced`: the world sets the pace, as a
   /// live camera does.
   void begin(bool paced = true);
+  /// The run has a robot: `stop` stops and releases it, and is called at once, in the server's thread.
+  void set_robot(std::function<void(bool)> stop);
   /// Waits for the time of this tick, or for a step or the end of a pause. False if the run is to end.
   bool wait_for(const Tick& tick);
   /// Whether the run is to end; does not wait.
@@ -58,6 +60,7 @@ class LiveControl {
   LiveState state_;
   int steps_ = 0;  ///< frames to do while paused
   bool stop_ = false, paced_ = true;
+  std::function<void(bool)> stop_robot_;  ///< empty without a robot
   std::vector<Intervention> interventions_;
   std::optional<StartRun> start_;
   std::optional<std::pair<Clock::time_point, double>> anchor_;  ///< a wall time and its run time, s

@@ -91,7 +91,8 @@ void LivePage::begin(const RunInfo& info, std::int64_t frames) {
   }
   channel_->begin(index, current_->loaded.name, with_errors);
   foxglove_->begin(info);
-  control_.begin(!current_->loaded.scenario.is_live());
+  const Scenario& scenario = current_->loaded.scenario;
+  control_.begin(!scenario.is_live() && !scenario.is_robot());
 }
 
 void LivePage::publish(const Snapshot& snapshot) {

@@ -50,7 +50,7 @@ void check_box(const Scenario& s, List& found) {
   constexpr double most_cells = 1e6;
   if (((e.max_m - e.min_m) / e.cell_m).array().ceil().prod() > most_cells)
     return found.push_back({"exploration.cell_m", "must make at most a million cells of the volume"});
-  if (s.is_recording() || s.is_live()) return;
+  if (s.is_recording() || s.is_live() || s.is_robot()) return;
   Eigen::Vector3d min(-s.room.size_m.x() / 2, -s.room.size_m.y() / 2, 0), max = min + s.room.size_m;
   const char* what = "the room, room.size_m";
   if (s.is_simulated()) {
@@ -81,7 +81,7 @@ void check_bounds(const Scenario& s, List& found) {
       return found.push_back(
           {"decision.max_bound_m", fmt::format("must be more than decision.min_bound_m along {}: {} and {}",
                                                "xyz"[axis], d.min_bound_m[axis], d.max_bound_m[axis])});
-  if (s.is_recording() || s.is_live()) return;
+  if (s.is_recording() || s.is_live() || s.is_robot()) return;
   const bool one_camera = !s.is_simulated() && !s.is_room_vehicle();
   const int axes = s.has_carried_camera() || s.is_room_vehicle() ? 2 : 3;
   const std::vector<Eigen::Vector3d> one{s.room.start_position_m};

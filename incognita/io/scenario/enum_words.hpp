@@ -28,7 +28,8 @@ inline constexpr auto enum_words<WorldSettings::Type> =
     std::to_array<EnumWord<WorldSettings::Type>>({{WorldSettings::Type::room, "room"},
                                                   {WorldSettings::Type::points, "points"},
                                                   {WorldSettings::Type::recording, "recording"},
-                                                  {WorldSettings::Type::live, "live"}});
+                                                  {WorldSettings::Type::live, "live"},
+                                                  {WorldSettings::Type::robot, "robot"}});
 template <>
 inline constexpr auto enum_words<RecordingSettings::Format> =
     std::to_array<EnumWord<RecordingSettings::Format>>({{RecordingSettings::Format::automatic, "auto"},

@@ -13,6 +13,7 @@
 #include "incognita/control/settings.hpp"
 #include "incognita/decision/settings.hpp"
 #include "incognita/io/scenario/live_settings.hpp"
+#include "incognita/io/scenario/robot_settings.hpp"
 #include "incognita/math/setting.hpp"
 #include "incognita/models/motion/mount.hpp"
 #include "incognita/slam/features/settings.hpp"
@@ -48,13 +49,16 @@ struct WorldSettings {
     room,       ///< rendered, closed loop
     points,     ///< simulated point landmarks
     recording,  ///< replayed
-    live        ///< a camera, while it takes its images
+    live,       ///< a camera, while it takes its images
+    robot       ///< a vehicle that carries a camera, reached by rosbridge
   };
   Type type = Type::room;
 
   static void describe(auto&& setting) {
-    setting(&WorldSettings::type, "type", "", limits::any(),
-            "World: rendered room, simulated point landmarks, a recording, or what a camera sees now");
+    setting(
+        &WorldSettings::type, "type", "", limits::any(),
+        "World: rendered room, simulated point landmarks, a recording, what a camera sees now, or a robot that is "
+        "reached by rosbridge");
   }
 };
 
@@ -477,6 +481,7 @@ struct Scenario {
   TruePlantSettings plant;
   TerrainSettings terrain;
   Mount mount{.up_m = 0.6};
+  RobotSettings robot;
 
   const MotionTraits& motion() const { return motion_traits_of(planar.vehicle.model); }
   const SensorTraits& measured() const { return sensor_traits_of(sensor.type, motion()); }
@@ -489,6 +494,9 @@ struct Scenario {
   bool is_room_vehicle() const {
     return world.type == WorldSettings::Type::room && motion().space == Space::uneven_ground;
   }
+  bool is_robot() const { return world.type == WorldSettings::Type::robot; }
+  /// Whether the camera that maps by its images is on a vehicle: thesis Section 6.4.
+  bool is_camera_vehicle() const { return is_room_vehicle() || is_robot(); }
   /// Whether the true motion is that of a recording, also in the rendered room, or of a person: commands and disturbances have
   /// no effect.
   bool has_recorded_motion() const {

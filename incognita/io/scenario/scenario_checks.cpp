@@ -90,7 +90,8 @@ void check_images(const Scenario& s, List& found) {
   check_sizes(s, found);
   if (s.world.type == WorldSettings::Type::room) check_room(s, found);
   if (s.is_room_vehicle()) check_room_vehicle(s, found);
-  if (!s.is_room_vehicle() || s.decides()) check_decision(s, found);
+  if (s.is_robot()) check_robot(s, found);
+  if (!s.is_camera_vehicle() || s.decides()) check_decision(s, found);
 }
 
 }  // namespace

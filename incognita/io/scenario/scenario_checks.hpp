@@ -16,9 +16,10 @@ struct Contradiction {
 /// Empty if the scenario is consistent.
 std::vector<Contradiction> find_contradictions(const Scenario& scenario);
 
-/// Parts of it: of vehicles with point landmarks, of a vehicle in the rendered room, and of decisions.
+/// Parts of it: of vehicles with point landmarks, of a vehicle in the rendered room, of a real one, and of decisions.
 void check_team(const Scenario& scenario, std::vector<Contradiction>& found);
 void check_room_vehicle(const Scenario& scenario, std::vector<Contradiction>& found);
+void check_robot(const Scenario& scenario, std::vector<Contradiction>& found);
 void check_decision(const Scenario& scenario, std::vector<Contradiction>& found);
 void check_camera(const Scenario& scenario, std::vector<Contradiction>& found);
 

@@ -191,7 +191,7 @@ void image_estimator(SettingReader& r, Scenario& s) {
   r.section("search");
   r.all(s.slam.search);
   landmark_initialization(r, s.slam.initialization);
-  if (!s.is_room_vehicle() && s.slam.initialization.method != InitializationSettings::Method::depth_line) {
+  if (!s.is_camera_vehicle() && s.slam.initialization.method != InitializationSettings::Method::depth_line) {
     r.section("estimator");
     r.some(s.slam.filter, &FilterSettings::invariant);
   }
@@ -229,7 +229,7 @@ Words laws(const Scenario& s) {
   if (s.has_carried_camera()) return {word_of(Law::none), word_of(Law::active)};
   Words words;
   for (const auto& [law, word] : enum_words<Law>)
-    if (law != Law::lqg || !s.is_room_vehicle()) words.emplace_back(word);
+    if (law != Law::lqg || !s.is_camera_vehicle()) words.emplace_back(word);
   return words;
 }
 
@@ -261,7 +261,7 @@ void controller(SettingReader& r, Scenario& s, const Bodies& b) {
   if (s.is_room_vehicle()) r.some(c, &C::avoidance_distance_m);
   if (c.law != Law::none && c.law != Law::active) path(r, s, b.in_space);
   if (c.law != Law::active) return;
-  decision(r, s, carried || s.is_room_vehicle());
+  decision(r, s, carried || s.is_camera_vehicle());
   if (b.in_space && !carried) {
     s.decision.gaze = DecisionSettings::Gaze::hold;
     gaze(r, s);
@@ -269,7 +269,7 @@ void controller(SettingReader& r, Scenario& s, const Bodies& b) {
     if (s.decision.gaze == DecisionSettings::Gaze::swing)
       r.some(s.control, &G::gaze_amplitude_rad, &G::gaze_period_s);
   }
-  if (s.is_room_vehicle()) r.section("exploration"), r.some(s.exploration, &ExplorationSettings::counted);
+  if (s.is_camera_vehicle()) r.section("exploration"), r.some(s.exploration, &ExplorationSettings::counted);
   if (b.in_space && !carried) operator_model(r, s);
 }
 
@@ -297,6 +297,24 @@ void room_vehicle(SettingReader& r, Scenario& s) {
   r.some(s.plant, &P::sigma_start_position_m, &P::sigma_start_heading_rad);
   wheels(r, s, false);
   terrain(r, s);
+  mount(r, s);
+  controller(r, s, bodies_of(s));
+}
+
+/// A robot that carries a camera. Its own side avoids obstacles.
+void robot(SettingReader& r, Scenario& s) {
+  using F = FilterSettings;
+  vehicle_model(r, s, {"terrain"});
+  sensor_type(r, s, {"camera"});
+  run(r, s, true, true);
+  r.section("robot");
+  r.all(s.robot);
+  read_camera(r, s.camera);
+  image_estimator(r, s);
+  vehicle(r, s);
+  r.section("estimator");
+  r.some(s.slam.filter, &F::odometry);
+  if (s.slam.filter.odometry) r.some(s.slam.filter, &F::sigma_slip_m_s);
   mount(r, s);
   controller(r, s, bodies_of(s));
 }
@@ -572,6 +590,8 @@ void read_settings(SettingReader& r, Scenario& s, const CameraFinder& find_camer
       return recording(r, s, find_camera);
     case WorldSettings::Type::live:
       return live_camera(r, s);
+    case WorldSettings::Type::robot:
+      return robot(r, s);
   }
 }
 

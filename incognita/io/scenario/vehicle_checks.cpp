@@ -243,6 +243,22 @@ void check_room_vehicle(const Scenario& s, List& found) {
     found.push_back({"mount.up_m", "must be more than 0: the camera sees nothing from under the ground"});
 }
 
+void check_robot(const Scenario& s, List& found) {
+  check_gains(s, found);
+  check_path(s, found);
+  check_dimensions(s, found);
+  check_control_point(s, found);
+  const RobotSettings& r = s.robot;
+  if (r.late_s <= 1 / s.run.rate_hz)
+    found.push_back(
+        {"robot.late_s",
+         fmt::format("must be more than the time of a frame, {:.3g} s (run.rate_hz)", 1 / s.run.rate_hz)});
+  if (r.give_up_s <= r.late_s) found.push_back({"robot.give_up_s", "must be more than robot.late_s"});
+  if (r.address.empty()) found.push_back({"robot.address", "must be an address such as ws://localhost:9090"});
+  if (r.image_topic.empty()) found.push_back({"robot.image_topic", "must name a topic"});
+  if (r.command_topic.empty()) found.push_back({"robot.command_topic", "must name a topic"});
+}
+
 void check_team(const Scenario& s, List& found) {
   check_form(s, found);
   if (s.is_recording()) return;

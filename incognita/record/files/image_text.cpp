@@ -8,7 +8,6 @@
 namespace incognita {
 namespace {
 
-constexpr int jpeg_quality = 65;
 constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 /// Value of each digit, -1 of other characters.
@@ -22,10 +21,10 @@ constexpr std::array<std::int8_t, 256> digit_values() {
 
 }  // namespace
 
-std::string jpeg(const Image& image) {
+std::string jpeg(const Image& image, int quality) {
   const cv::Mat gray(image.height(), image.width(), CV_8UC1, const_cast<std::uint8_t*>(image.row(0)));
   std::vector<unsigned char> bytes;
-  cv::imencode(".jpg", gray, bytes, {cv::IMWRITE_JPEG_QUALITY, jpeg_quality});
+  cv::imencode(".jpg", gray, bytes, {cv::IMWRITE_JPEG_QUALITY, quality});
   return {bytes.begin(), bytes.end()};
 }
 

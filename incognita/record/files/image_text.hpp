@@ -9,8 +9,8 @@
 
 namespace incognita {
 
-/// The bytes of a gray JPEG file, compressed for viewing only.
-std::string jpeg(const Image& image);
+/// The bytes of a gray JPEG file. `quality`: 0 to 100; by default for viewing only.
+std::string jpeg(const Image& image, int quality = 65);
 
 /// RFC 4648, with padding.
 std::string base64(std::string_view bytes);

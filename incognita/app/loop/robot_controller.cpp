@@ -1,0 +1,35 @@
+#include "incognita/app/loop/robot_controller.hpp"
+
+#include <utility>
+
+namespace incognita {
+namespace {
+
+/// Whether the robot must stand still, whatever is commanded.
+bool must_stand(const Estimate& estimate, const Goal& goal, const Observation& observation) {
+  if (!image_of(body_of(observation, 0))) return true;
+  const bool by_hand = !goal.bodies.empty() && goal.bodies.front().manual.has_value();
+  return !estimate.started || (is_lost(estimate, 0) && !by_hand);
+}
+
+}  // namespace
+
+RobotController::RobotController(std::unique_ptr<Controller> controller, std::shared_ptr<RobotLink> link,
+                                 const VelocityLimits& limits)
+    : controller_(std::move(controller)), link_(std::move(link)), limits_(limits) {
+  limits_.check();
+}
+
+Command RobotController::act(const Estimate& estimate, const Goal& goal, const Observation& observation,
+                             const Tick& tick) {
+  Command command = controller_->act(estimate, goal, observation, tick);
+  Eigen::Vector2d velocity(0, 0);
+  if (!link_->is_stopped() && !must_stand(estimate, goal, observation))
+    velocity = limited_velocity(input_of(command_of(command, 0), 2).head<2>(), last_, tick.dt, limits_);
+  link_->drive(velocity);
+  last_ = velocity;
+  if (!command.bodies.empty()) command.bodies.front().input = velocity;
+  return command;
+}
+
+}  // namespace incognita

@@ -1,0 +1,31 @@
+// The controller of a real robot: limits what its own controller commands, and sends it at once, without waiting for the next image.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "incognita/control/controller.hpp"
+#include "incognita/control/velocity_limits.hpp"
+#include "incognita/world/live/robot_link.hpp"
+
+namespace incognita {
+
+class RobotController final : public Controller {
+ public:
+  /// `controller`: of one body that takes speed and turn rate. Throws std::invalid_argument for limits that are not positive.
+  RobotController(std::unique_ptr<Controller> controller, std::shared_ptr<RobotLink> link,
+                  const VelocityLimits& limits);
+
+  /// The command that was sent. It is zero, at once and whatever the accelerations, while the image of this tick is late, the
+  /// robot is stopped by hand, or the state is lost or not known yet; a person who has taken over may drive a lost robot.
+  Command act(const Estimate& estimate, const Goal& goal, const Observation& observation,
+              const Tick& tick) override;
+
+ private:
+  std::unique_ptr<Controller> controller_;
+  std::shared_ptr<RobotLink> link_;
+  VelocityLimits limits_;
+  Eigen::Vector2d last_{0, 0};
+};
+
+}  // namespace incognita

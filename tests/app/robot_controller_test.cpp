@@ -1,0 +1,95 @@
+// The controller of a robot: when it must stand, and that a command leaves at once.
+#include "incognita/app/loop/robot_controller.hpp"
+
+#include <gtest/gtest.h>
+
+namespace incognita {
+namespace {
+
+struct NotedLink final : RobotLink {
+  std::vector<Eigen::Vector2d> driven;
+  bool stopped = false;
+  std::optional<LiveReading> read(double) override { return std::nullopt; }
+  void drive(const Eigen::Vector2d& velocity) override { driven.push_back(velocity); }
+  void set_stopped(bool stop) override { stopped = stop; }
+  bool is_stopped() const override { return stopped; }
+  std::string problem() const override { return ""; }
+  std::vector<std::string> take_events() override { return {}; }
+};
+
+struct FullSpeed final : Controller {
+  Command act(const Estimate&, const Goal&, const Observation&, const Tick&) override {
+    Command command;
+    command.bodies.emplace_back().input = Eigen::Vector2d(0.3, 0.2);
+    return command;
+  }
+};
+
+struct Driven {
+  Driven() {
+    estimate.started = true;
+    estimate.bodies.resize(1);
+    set(TrackingState::tracking);
+    seen.bodies.emplace_back().images.push_back(std::make_shared<Image>(4, 4));
+  }
+  void set(TrackingState state) { estimate.status.state = estimate.bodies[0].status.state = state; }
+  Eigen::Vector2d act(double dt = 0.1) {
+    const Command command = controller.act(estimate, goal, seen, {frame++, 0, dt});
+    EXPECT_EQ(link->driven.size(), static_cast<std::size_t>(frame));
+    EXPECT_EQ(Eigen::Vector2d(command.bodies.front().input), link->driven.back())
+        << "what is recorded was sent";
+    return link->driven.back();
+  }
+
+  std::shared_ptr<NotedLink> link = std::make_shared<NotedLink>();
+  RobotController controller{std::make_unique<FullSpeed>(), link, {{0.3, 0.3}, 0.5, 1}};
+  Estimate estimate;
+  Observation seen;
+  Goal goal;
+  std::int64_t frame = 0;
+};
+
+TEST(RobotController, AcceleratesWithinItsLimitsAndSendsAtOnce) {
+  Driven d;
+  EXPECT_TRUE(d.act().isApprox(Eigen::Vector2d(0.05, 0.1)));
+  EXPECT_TRUE(d.act().isApprox(Eigen::Vector2d(0.1, 0.2)));
+  for (int i = 0; i < 10; ++i) d.act();
+  EXPECT_TRUE(d.act().isApprox(Eigen::Vector2d(0.3, 0.2)));
+}
+
+TEST(RobotController, StandsAtOnceWhenTheImageIsLateAndAcceleratesAgain) {
+  Driven d;
+  for (int i = 0; i < 10; ++i) d.act();
+  const Observation seen = d.seen;
+  d.seen.bodies[0].images.clear();
+  EXPECT_TRUE(d.act().isZero());
+  d.seen = seen;
+  EXPECT_TRUE(d.act().isApprox(Eigen::Vector2d(0.05, 0.1))) << "from rest";
+}
+
+TEST(RobotController, StandsWhileItIsLostOrStartingOrStoppedByHand) {
+  Driven d;
+  d.act();
+  d.set(TrackingState::lost);
+  EXPECT_TRUE(d.act().isZero());
+  d.set(TrackingState::tracking);
+  d.estimate.started = false;
+  EXPECT_TRUE(d.act().isZero());
+  d.estimate.started = true;
+  d.link->stopped = true;
+  EXPECT_TRUE(d.act().isZero());
+  d.link->stopped = false;
+  EXPECT_FALSE(d.act().isZero());
+}
+
+TEST(RobotController, APersonMayDriveALostRobotButNotABlindOne) {
+  Driven d;
+  d.set(TrackingState::lost);
+  d.goal.bodies.emplace_back().manual = ManualDrive{};
+  EXPECT_FALSE(d.act().isZero());
+  d.seen.bodies[0].images.clear();
+  EXPECT_TRUE(d.act().isZero());
+}
+
+}  // namespace
+}  // namespace incognita

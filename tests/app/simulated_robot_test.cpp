@@ -1,0 +1,241 @@
+// The simulated robot: its watchdog in explicit time, its server against clients, its relay, its log.
+#include "incognita/app/robot/simulated_robot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "incognita/app/loop/linked_robot.hpp"
+#include "incognita/app/robot/robot_relay.hpp"
+#include "incognita/app/robot/robot_server.hpp"
+#include "tests/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+using namespace std::chrono_literals;
+using Stop = CommandWatchdog::Stop;
+using testing::message_of;
+using testing::Scratch;
+
+const LoadedScenario& terrain() {
+  static const LoadedScenario loaded = load_scenario("explore-terrain");
+  return loaded;
+}
+
+template <class Condition>
+bool becomes(const Condition& condition) {
+  for (int i = 0; i < 1000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(10ms);
+  }
+  return false;
+}
+
+TEST(SimulatedRobot, StandsWithoutCommandsAndStopsExactlyAtItsWatchdogTime) {
+  SimulatedRobot robot(terrain(), {.timeout_s = 0.5, .stale_s = 0.5});
+  const Eigen::Vector3d start = robot.state().pose;
+  robot.advance(1);
+  EXPECT_LT((robot.state().pose - start).head<2>().norm(), 0.01) << "but for the true errors of its wheels";
+  EXPECT_TRUE(robot.state().executed.isZero());
+  EXPECT_EQ(robot.state().reason, Stop::no_command);
+  const Eigen::Vector3d before = robot.state().pose;
+  robot.watchdog().command({-0.2, 0}, 1.0123, 1);
+  double last_driven_s = 0;
+  robot.advance(3, [&](const RobotState& state) {
+    if (!state.executed.isZero()) last_driven_s = state.t;
+  });
+  EXPECT_NEAR(last_driven_s, 1.5123, 0.001);
+  EXPECT_EQ(robot.state().reason, Stop::silence);
+  const double way = (robot.state().pose - before).head<2>().norm();
+  EXPECT_NEAR(way, 0.2 * 0.5, 0.02);
+}
+
+TEST(SimulatedRobot, AvoidsTheWallByItself) {
+  SimulatedRobot robot(terrain(), {.timeout_s = 100, .stale_s = 0.5});
+  robot.watchdog().command({0.3, 0}, 0, 1);  // it faces the wall at +x
+  for (int i = 1; i <= 100; ++i) {
+    robot.measure();
+    robot.advance(0.1 * i);
+    ASSERT_LT(robot.state().pose.x(), 3 - terrain().scenario.room.clearance_m + 1e-6);
+  }
+  EXPECT_LT(robot.state().pose.x(), 2.8);
+}
+
+TEST(SimulatedRobot, RefusesAScenarioWithoutAVehicle) {
+  EXPECT_HAS(message_of([] { SimulatedRobot(load_scenario("explore-room"), {}); }), "vehicle.model");
+}
+
+TEST(RobotLog, ItsLastPoseIsWhereTheRobotGoesOn) {
+  const Scratch scratch;
+  RobotState state;
+  {
+    RobotLog log(scratch.folder(), false);
+    state.t = 0.5, state.pose = {1, -2, 0.25};
+    log.add_step(state, 1000);
+    log.add_image(state, 1000.5);
+    log.flush();
+  }
+  EXPECT_EQ(last_pose(scratch.folder()), Eigen::Vector3d(1, -2, 0.25));
+  std::ofstream(scratch / "robot.csv", std::ios::app) << "1001.0,driving,,0.1,0";  // killed while writing
+  EXPECT_EQ(last_pose(scratch.folder()), Eigen::Vector3d(1, -2, 0.25));
+  {
+    RobotLog log(scratch.folder(), true);
+    state.t = 0.1, state.pose = {3, 0, 0};
+    log.add_step(state, 2000);
+  }
+  EXPECT_EQ(testing::lines(scratch / "robot.csv").size(), 3u) << testing::contents(scratch / "robot.csv");
+  EXPECT_EQ(last_pose(scratch.folder()), Eigen::Vector3d(3, 0, 0));
+  testing::write(scratch / "robot.csv", "t\nx,y\n");
+  EXPECT_HAS(message_of([&] { last_pose(scratch.folder()); }), "robot.csv, line 2");
+  EXPECT_FALSE(last_pose(scratch / "nowhere"));
+}
+
+/// The simulated robot at a free port, in a thread.
+struct Running {
+  explicit Running(const std::filesystem::path& folder,
+                   CommandWatchdog::Settings watchdog = {.timeout_s = 0.3, .stale_s = 0.3}) {
+    server = std::make_unique<RobotServer>(terrain(), std::make_unique<SimulatedRobot>(terrain(), watchdog),
+                                           RobotLog(folder, false), RobotServerSettings{},
+                                           [](const std::string&) {});
+    thread = std::thread([this] { server->run([this] { return over.load(); }); });
+  }
+  ~Running() {
+    over = true;
+    thread.join();
+  }
+  std::unique_ptr<RobotServer> server;
+  std::atomic<bool> over = false;
+  std::thread thread;
+};
+
+RobotClientSettings at(std::uint16_t port) {
+  RobotClientSettings settings;
+  settings.address = "ws://127.0.0.1:" + std::to_string(port);
+  settings.command_period_s = 0.05;
+  return settings;
+}
+
+/// Rows of robot.csv: t, command_t and speed of those with a command.
+std::vector<Eigen::Vector3d> commanded_rows(const std::filesystem::path& folder) {
+  std::vector<Eigen::Vector3d> rows;
+  for (const std::string& line : testing::lines(folder / "robot.csv")) {
+    double t = 0, command_t = 0, speed = 0;
+    char state[40];
+    if (std::sscanf(line.c_str(), "%lf,%39[^,],%lf,%lf", &t, state, &command_t, &speed) == 4)
+      rows.push_back({t, command_t, speed});
+  }
+  return rows;
+}
+
+TEST(RobotServer, AClientGetsImagesOdometryAndCalibrationAndDrives) {
+  const Scratch scratch;
+  const Running robot(scratch.folder());
+  RobotClient client(at(robot.server->port()));
+  int images = 0;
+  bool moved = false;
+  for (int i = 0; i < 100 && !(images > 3 && moved && client.camera_info()); ++i) {
+    const auto received = client.receive(1);
+    client.drive({-0.2, 0});
+    if (!received) continue;
+    ++images;
+    for (const auto& odometry : received->odometry) moved |= odometry.velocity[0] < -0.1;
+  }
+  EXPECT_GT(images, 3);
+  EXPECT_TRUE(moved);
+  ASSERT_TRUE(client.camera_info());
+  EXPECT_TRUE(differences(*client.camera_info(), terrain().scenario.camera).empty());
+  CameraSettings other = terrain().scenario.camera;
+  other.fu_px *= 1.02;
+  EXPECT_EQ(differences(*client.camera_info(), other).size(), 1u);
+}
+
+TEST(RobotServer, StopsWithinItsWatchdogTimeWhenTheClientIsGone) {
+  const Scratch scratch;
+  {
+    const Running robot(scratch.folder());
+    for (int i = 0; i < 3; ++i) {
+      RosbridgeClient client({parse_websocket_address(at(robot.server->port()).address)}, {});
+      client.start();
+      ASSERT_TRUE(becomes([&] { return client.is_connected(); }));
+      for (int k = 0; k < 10; ++k) {
+        client.send(to_json(rosbridge::Publish{"/cmd_vel", R"({"linear": {"x": -0.1}})"}));
+        std::this_thread::sleep_for(20ms);
+      }
+    }
+    std::this_thread::sleep_for(600ms);
+  }
+  const auto rows = commanded_rows(scratch.folder());
+  ASSERT_FALSE(rows.empty());
+  bool drove = false;
+  for (const auto& row : rows)
+    if (row[2] != 0) {
+      drove = true;
+      EXPECT_LE(row[0] - row[1], 0.3 + 1e-5);
+    }
+  EXPECT_TRUE(drove);
+  EXPECT_EQ(rows.back()[2], 0);
+}
+
+TEST(RobotRelay, PassesImagesAndCommandsOnAndStopsTheRobotWhenNavigationIsSilent) {
+  const Scratch scratch;
+  const Running robot(scratch.folder(),
+                      {.timeout_s = 10, .stale_s = 10});  // as a robot without a watchdog of its own
+  RobotRelaySettings settings;
+  settings.robot = at(robot.server->port()).address;
+  settings.watchdog = {.timeout_s = 0.3, .stale_s = 0.3};
+  std::string said;
+  std::mutex mutex;
+  const RobotRelay relay(settings, [&](const std::string& line) {
+    const std::lock_guard lock(mutex);
+    said += line + "\n";
+  });
+  {
+    RobotClient client(at(relay.port()));
+    ASSERT_TRUE(becomes([&] { return client.receive(0.1).has_value(); }));
+    const auto drives = [&] {
+      client.drive({-0.1, 0});
+      const auto received = client.receive(0.1);
+      return received && !received->odometry.empty() && received->odometry.back().velocity[0] == -0.1;
+    };
+    EXPECT_TRUE(becomes(drives));
+    EXPECT_EQ(relay.reason(), Stop::none);
+    client.set_stopped(true);
+    EXPECT_TRUE(becomes([&] { return relay.reason() == Stop::by_hand; }));
+    client.set_stopped(false);
+    EXPECT_TRUE(becomes(drives));
+  }
+  EXPECT_TRUE(becomes([&] { return relay.reason() == Stop::disconnected; }));
+  EXPECT_TRUE(becomes([&] {
+    const auto rows = commanded_rows(scratch.folder());
+    return !rows.empty() && rows.back()[2] == 0;
+  }));
+}
+
+TEST(RobotRelay, GoesOnWhenTheRobotComesLater) {
+  const Scratch scratch;
+  std::uint16_t port = 0;
+  {
+    const Running first(scratch.folder());
+    port = first.server->port();
+  }
+  RobotRelaySettings settings;
+  settings.robot = at(port).address;
+  const RobotRelay relay(settings, [](const std::string&) {});
+  RobotClient client(at(relay.port()));
+  EXPECT_FALSE(client.receive(0.3));
+  RobotServerSettings again;
+  again.server.port = port;
+  RobotServer server(terrain(), std::make_unique<SimulatedRobot>(terrain(), CommandWatchdog::Settings{}),
+                     RobotLog(scratch.folder(), false), again, [](const std::string&) {});
+  std::atomic<bool> over = false;
+  std::thread thread([&] { server.run([&] { return over.load(); }); });
+  EXPECT_TRUE(becomes([&] { return client.receive(0.1).has_value(); }));
+  over = true;
+  thread.join();
+}
+
+}  // namespace
+}  // namespace incognita

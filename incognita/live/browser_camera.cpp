@@ -106,19 +106,6 @@ void BrowserCamera::answer(std::uint64_t id, const std::string& json) {
   viewers_.at(id)->send(std::move(message));
 }
 
-std::optional<LiveReading> BrowserCamera::read(double wait_s) {
-  const auto encoded = images_.take(wait_s);
-  if (!encoded) return std::nullopt;
-  try {
-    return LiveReading{encoded->t, std::make_shared<const Image>(decode_(encoded->jpeg))};
-  } catch (const std::runtime_error& error) {
-    const std::lock_guard lock(mutex_);
-    if (damaged_++ == 0)
-      events_.push_back(fmt::format("an image of the page's camera is skipped: {}", error.what()));
-    return std::nullopt;
-  }
-}
-
 std::string BrowserCamera::problem() const {
   const std::lock_guard lock(mutex_);
   return sends_
@@ -129,11 +116,6 @@ std::string BrowserCamera::problem() const {
 std::vector<std::string> BrowserCamera::take_events() {
   const std::lock_guard lock(mutex_);
   return std::exchange(events_, {});
-}
-
-std::vector<std::pair<std::string, std::int64_t>> BrowserCamera::counts() const {
-  const std::lock_guard lock(mutex_);
-  return {{"camera_dropped_images", images_.dropped()}, {"camera_damaged_images", damaged_}};
 }
 
 }  // namespace incognita

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -13,22 +12,23 @@
 #include <vector>
 
 #include "incognita/live/server.hpp"
-#include "incognita/world/live/live_source.hpp"
-#include "incognita/world/live/newest.hpp"
-#include "incognita/world/live/stream_times.hpp"
+#include "incognita/messages/newest.hpp"
+#include "incognita/messages/stream_times.hpp"
 
 namespace incognita {
 
 /// One camera at a time. It says {"type": "camera", "label", "width", "height"} first, then sends images as binary messages: the time
 /// when the image was taken, s on any clock of its own (8 bytes, IEEE 754, little-endian), and the JPEG. Each image is
 /// answered with {"type": "got", "t", "run_t": its time for the run, s}, so that a sender can bound how many are under way.
-class BrowserCamera final : public ViewerProtocol, public LiveSource {
+class BrowserCamera final : public ViewerProtocol {
  public:
   static constexpr const char* subprotocol = "incognita.camera.v1";
   static constexpr std::size_t largest_message = 4u << 20;
 
-  using Decode = std::function<Image(std::string_view jpeg)>;  ///< throws std::runtime_error
-  explicit BrowserCamera(Decode decode) : decode_(std::move(decode)) {}
+  struct Received {
+    double t = 0;  ///< s, from 0 at the first image, increasing, in whole microseconds
+    std::string jpeg;
+  };
 
   /// The size that the next run needs; a camera of another size is refused.
   void expect(int width_px, int height_px);
@@ -40,23 +40,22 @@ class BrowserCamera final : public ViewerProtocol, public LiveSource {
   std::size_t largest_message_bytes() const override { return largest_message; }
 
   // From the thread of the loop:
-  std::optional<LiveReading> read(double wait_s) override;
-  std::string problem() const override;
-  std::vector<std::string> take_events() override;
-  std::vector<std::pair<std::string, std::int64_t>> counts() const override;
+  /// The newest image that has not been returned; waits for it. Nothing if none comes in time.
+  std::optional<Received> receive(double wait_s) { return images_.take(wait_s); }
+  /// Why nothing comes, and the remedy; empty if a camera sends.
+  std::string problem() const;
+  /// What happened since the last call, for printing.
+  std::vector<std::string> take_events();
+  /// Images that a newer one replaced.
+  std::int64_t dropped() const { return images_.dropped(); }
 
  private:
-  struct Encoded {
-    double t;
-    std::string jpeg;
-  };
   void greet(std::uint64_t id, std::string_view message);
   void take_image(std::uint64_t id, std::string_view message);
   void answer(std::uint64_t id, const std::string& json);
   std::string refusal_of(std::uint64_t id, std::string_view message);
 
-  Decode decode_;
-  Newest<Encoded> images_;
+  Newest<Received> images_;
 
   // Of the server's thread
   std::map<std::uint64_t, Viewer*> viewers_;
@@ -66,7 +65,6 @@ class BrowserCamera final : public ViewerProtocol, public LiveSource {
   mutable std::mutex mutex_;  ///< of what follows
   int width_px_ = 0, height_px_ = 0;
   bool sends_ = false;
-  std::int64_t damaged_ = 0;
   std::vector<std::string> events_;
 };
 

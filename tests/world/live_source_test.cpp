@@ -3,9 +3,9 @@
 
 #include <thread>
 
-#include "incognita/world/live/newest.hpp"
+#include "incognita/messages/newest.hpp"
+#include "incognita/messages/stream_times.hpp"
 #include "incognita/world/live/sized_images.hpp"
-#include "incognita/world/live/stream_times.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

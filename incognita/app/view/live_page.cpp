@@ -9,10 +9,10 @@
 #include "incognita/app/loop/observability_watch.hpp"
 #include "incognita/app/view/live_messages.hpp"
 #include "incognita/app/view/page_answers.hpp"
+#include "incognita/app/view/page_camera.hpp"
 #include "incognita/app/view/page_files.hpp"
 #include "incognita/app/view/settings_json.hpp"
 #include "incognita/io/formats/files.hpp"
-#include "incognita/io/formats/image_file.hpp"
 #include "incognita/live/foxglove_messages.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/recorder.hpp"
@@ -48,8 +48,7 @@ std::vector<std::string> settings_of(const HttpRequest& request) {
 LivePage::LivePage(ServerSettings settings, std::string scenario, std::function<bool()> interrupted)
     : scenario_(std::move(scenario)), control_(std::move(interrupted)) {
   check_page_is_complete();
-  camera_ = std::make_shared<BrowserCamera>(
-      [](std::string_view jpeg) { return decode_image(jpeg, "an image of the page's camera"); });
+  camera_ = std::make_shared<BrowserCamera>();
   channel_ = std::make_shared<PageChannel>([this](const ViewerCommand& asked) { command(asked); });
   control_.on_change = [this](const LiveState& state) { channel_->set_state(state); };
   ServerHandlers handlers;
@@ -68,6 +67,8 @@ LivePage::LivePage(ServerSettings settings, std::string scenario, std::function<
 }
 
 LivePage::~LivePage() { server_.reset(); }
+
+std::shared_ptr<LiveSource> LivePage::camera() const { return std::make_shared<PageCamera>(camera_); }
 
 void LivePage::prepare(const LoadedScenario& loaded, Reload reload, const std::filesystem::path& directory) {
   const std::lock_guard lock(mutex_);

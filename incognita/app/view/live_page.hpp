@@ -18,6 +18,7 @@
 #include "incognita/live/page_channel.hpp"
 #include "incognita/live/series_history.hpp"
 #include "incognita/live/server.hpp"
+#include "incognita/world/live/live_source.hpp"
 
 namespace incognita {
 
@@ -40,7 +41,7 @@ class LivePage final : public InterventionSource {
   void begin(const RunInfo& info, std::int64_t frames);
   LiveControl& control() { return control_; }
   /// The camera of a device that has the page open.
-  std::shared_ptr<LiveSource> camera() const { return camera_; }
+  std::shared_ptr<LiveSource> camera() const;
   void publish(const Snapshot& snapshot);
   /// The observability monitor after an update: its report is sent about every two seconds while someone watches, on
   /// large maps more rarely. It is computed in the server's thread.

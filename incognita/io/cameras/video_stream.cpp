@@ -11,7 +11,7 @@
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/gray_image.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/world/live/stream_times.hpp"
+#include "incognita/messages/stream_times.hpp"
 
 namespace incognita {
 namespace {

@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "incognita/messages/newest.hpp"
 #include "incognita/world/live/live_source.hpp"
-#include "incognita/world/live/newest.hpp"
 
 namespace incognita {
 

@@ -1,4 +1,4 @@
-#include "incognita/world/live/stream_times.hpp"
+#include "incognita/messages/stream_times.hpp"
 
 #include <algorithm>
 #include <cmath>

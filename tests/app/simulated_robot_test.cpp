@@ -5,6 +5,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <mutex>
+#include <random>
 #include <thread>
 
 #include "incognita/app/loop/linked_robot.hpp"
@@ -51,6 +53,22 @@ TEST(SimulatedRobot, StandsWithoutCommandsAndStopsExactlyAtItsWatchdogTime) {
   EXPECT_EQ(robot.state().reason, Stop::silence);
   const double way = (robot.state().pose - before).head<2>().norm();
   EXPECT_NEAR(way, 0.2 * 0.5, 0.02);
+}
+
+/// Times that are no round numbers: the step that ends at the watchdog time is followed by none that moves.
+TEST(SimulatedRobot, NeverMovesPastItsWatchdogTime) {
+  SimulatedRobot robot(terrain(), {.timeout_s = 0.05, .stale_s = 0.5});
+  std::mt19937 random(1);
+  for (int i = 0; i < 200; ++i) {
+    robot.advance(robot.state().t + std::uniform_real_distribution<>(0, 0.02)(random));
+    robot.watchdog().command({i % 2 == 0 ? 0.1 : -0.1, 0}, robot.state().t, 1);
+    robot.advance(robot.state().t + std::uniform_real_distribution<>(0.04, 0.1)(random),
+                  [](const RobotState& state) {
+                    if (!state.executed.isZero()) {
+                      EXPECT_LE(state.t, *state.command_t + 0.05);
+                    }
+                  });
+  }
 }
 
 TEST(SimulatedRobot, AvoidsTheWallByItself) {

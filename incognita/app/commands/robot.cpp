@@ -29,7 +29,7 @@ struct RobotOptions {
   std::string address = "127.0.0.1";
   std::string token;
   std::optional<std::string> out;
-  bool resume = false;
+  bool resume = false, stamped = false;
   double watchdog_s = 0.5, stale_s = 0.5, speed_factor = 1, duration_s = 0;
   int ros = 2;
   RobotTopics topics;
@@ -50,8 +50,8 @@ ServerSettings robot_server_settings(const RobotOptions& o) {
 void say_robot(const std::string& line) { print_message("{}\n", line); }
 
 int relay(const RobotOptions& o) {
-  const RobotRelay relay({robot_server_settings(o), *o.relay, o.topics, o.ros, {o.watchdog_s, o.stale_s}},
-                         say_robot);
+  const RobotRelay relay(
+      {robot_server_settings(o), *o.relay, o.topics, o.ros, o.stamped, {o.watchdog_s, o.stale_s}}, say_robot);
   print_message("navigation connects to {}\n", relay.address());
   const auto start = std::chrono::steady_clock::now();
   const auto is_over = [&] {
@@ -128,6 +128,7 @@ CLI::App* add_robot(CLI::App& app, std::function<int()>& job) {
   command->add_option("--ros", o->ros, "Generation of ROS, 1 or 2, whose messages are written")
       ->check(CLI::Range(1, 2))
       ->capture_default_str();
+  command->add_flag("--stamped", o->stamped, "With --relay: the robot reads TwistStamped instead of Twist");
   add_topics(*command, o->topics);
   const auto simulated = "Simulated robot";
   command->add_option("--out", o->out, "Folder of robot.csv and truth.tum [out/<scenario>-robot]")

@@ -9,12 +9,21 @@
 #include "incognita/decision/no_decision.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/enum_words.hpp"
+#include "incognita/messages/errors.hpp"
 
 namespace incognita {
 namespace {
 
 double steady_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::shared_ptr<LinkedRobot> linked_robot(const LoadedScenario& loaded) {
+  try {
+    return std::make_shared<LinkedRobot>(loaded.scenario);
+  } catch (const InputError& error) {
+    throw InputError(loaded.source_of("robot.address") + ": robot.address: " + error.what());
+  }
 }
 
 std::unique_ptr<Controller> robot_controller(const LoadedScenario& loaded,
@@ -38,7 +47,7 @@ Assembly assemble_robot(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const Camera camera = make_camera(s.camera);
   const std::optional<Target> target = start_target(loaded);
-  const auto link = std::make_shared<LinkedRobot>(s);
+  const auto link = linked_robot(loaded);
   Assembly out;
   put_scenario(loaded, out.info);
   out.info.ate_alignment = target ? "se3" : "sim3";

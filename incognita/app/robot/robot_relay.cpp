@@ -88,7 +88,7 @@ RosbridgeChannelHandlers RobotRelay::navigation_handlers() {
 void RobotRelay::connected() {
   using namespace rosbridge;
   const std::lock_guard lock(mutex_);
-  const char* command = stamped_ ? ros::stamped_twist_type : ros::twist_type;
+  const char* command = settings_.stamps_commands ? ros::stamped_twist_type : ros::twist_type;
   robot_.send(to_json(Advertise{settings_.topics.command, type_for(command, settings_.ros)}));
   for (const auto& [topic, type] : wanted_)
     robot_.send(to_json(Subscribe{.topic = topic, .type = type, .queue_length = 1}));
@@ -115,10 +115,6 @@ void RobotRelay::obey(std::uint64_t client, const rosbridge::Publish& publish) {
     if (const auto* velocity = std::get_if<VelocityWish>(&*wish)) {
       std::optional<double> age_s;
       if (velocity->stamp_ns) age_s = 1e-9 * static_cast<double>(relay_now_ns() - *velocity->stamp_ns);
-      if (std::exchange(stamped_, velocity->stamp_ns.has_value()) != stamped_)
-        robot_.send(to_json(rosbridge::Advertise{
-            settings_.topics.command,
-            rosbridge::type_for(stamped_ ? ros::stamped_twist_type : ros::twist_type, settings_.ros)}));
       watchdog_.command(velocity->velocity, now_s(), client, age_s);
     } else if (const auto* stop = std::get_if<StopWish>(&*wish)) {
       stop->stop ? watchdog_.stop() : watchdog_.release();
@@ -143,7 +139,7 @@ void RobotRelay::send_velocity() {
   ros::StampedTwist command;
   command.twist.linear.x() = velocity[0];
   command.twist.angular.z() = velocity[1];
-  if (stamped_) command.stamp_ns = relay_now_ns();
+  if (settings_.stamps_commands) command.stamp_ns = relay_now_ns();
   robot_.send(to_json(rosbridge::Publish{settings_.topics.command, ros::to_json(command, settings_.ros)}),
               "command");
 }

@@ -21,6 +21,7 @@ struct RobotRelaySettings {
   std::string robot = "ws://localhost:9090";  ///< the robot's rosbridge
   RobotTopics topics;
   int ros = 2;
+  bool stamps_commands = false;  ///< the robot reads TwistStamped instead of Twist
   CommandWatchdog::Settings watchdog;
   double period_s = 0.05;  ///< of the commands to the robot
 };
@@ -58,7 +59,6 @@ class RobotRelay {
   CommandWatchdog::Stop said_ = CommandWatchdog::Stop::no_command;
   double stopped_s_ = 0;                       ///< when the robot was stopped last
   bool ended_ = false;                         ///< nobody listens any more
-  bool stamped_ = false;                       ///< whether navigation stamps its commands; so does the relay
   std::map<std::string, std::string> wanted_;  ///< topics with their types
 
   RosbridgeClient robot_;

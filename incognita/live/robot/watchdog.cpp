@@ -40,8 +40,10 @@ void CommandWatchdog::release() {
 
 CommandWatchdog::Stop CommandWatchdog::reason(double now_s) const {
   if (stopped_ != Stop::none) return stopped_;
-  // Also for a clock that jumps back, so that the robot cannot drive for longer
-  return std::abs(now_s - *last_command_s_) < settings_.timeout_s ? Stop::none : Stop::silence;
+  // Not by the difference, whose rounding could let the robot drive past the sum. Also for a clock that jumps back
+  const double from_s = *last_command_s_ - settings_.timeout_s,
+               until_s = *last_command_s_ + settings_.timeout_s;
+  return from_s < now_s && now_s < until_s ? Stop::none : Stop::silence;
 }
 
 const char* name(CommandWatchdog::Stop stop) {

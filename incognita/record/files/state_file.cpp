@@ -67,7 +67,7 @@ std::string entry_of(const StateSection& section) {
   return entry;
 }
 
-InputError damaged(const InputFile& file, const std::string& what) {
+InputError damaged_state(const InputFile& file, const std::string& what) {
   return InputError(fmt::format("{}: {}: the file is damaged; {}", file.path().string(), what, another_file));
 }
 
@@ -78,10 +78,10 @@ std::size_t read_head(const InputFile& file, std::string& program_version) {
   if (!state_mark.starts_with(head.substr(0, state_mark.size())))
     throw InputError(
         fmt::format("{}: is not a saved run; name a {} that `incognita run` wrote", path, state_file_name));
-  if (head.size() < head_size) throw damaged(file, fmt::format("it ends at byte {}", head.size()));
+  if (head.size() < head_size) throw damaged_state(file, fmt::format("it ends at byte {}", head.size()));
   const std::string_view checked = std::string_view(head).substr(0, head_size - 4);
   if (crc32_of(checked) != number_at<std::uint32_t>(head, head_size - 4))
-    throw damaged(file, fmt::format("the checksum of bytes 0 to {} does not fit", head_size - 5));
+    throw damaged_state(file, fmt::format("the checksum of bytes 0 to {} does not fit", head_size - 5));
   program_version = padded_at(head, state_mark.size() + 4, version_size);
   const auto format = number_at<std::uint32_t>(head, state_mark.size());
   if (format != state_format)
@@ -90,7 +90,7 @@ std::size_t read_head(const InputFile& file, std::string& program_version) {
         "that version, or run the scenario again",
         path, state_mark.size(), format, program_version, state_format));
   const auto sections = number_at<std::uint32_t>(head, head_size - 8);
-  if (sections > most_sections) throw damaged(file, fmt::format("it has {} sections", sections));
+  if (sections > most_sections) throw damaged_state(file, fmt::format("it has {} sections", sections));
   return sections;
 }
 
@@ -103,24 +103,24 @@ struct SectionEntry {
 std::vector<SectionEntry> read_entries(const InputFile& file, std::size_t count) {
   std::vector<SectionEntry> entries;
   std::uint64_t offset = head_size + count * entry_size;
-  if (offset > file.size()) throw damaged(file, fmt::format("it ends at byte {}", file.size()));
+  if (offset > file.size()) throw damaged_state(file, fmt::format("it ends at byte {}", file.size()));
   const std::string table = file.read(head_size, count * entry_size);
   for (std::size_t i = 0; i < count; ++i) {
     const std::string_view entry = std::string_view(table).substr(i * entry_size, entry_size);
     const std::size_t at = head_size + i * entry_size;
     if (crc32_of(entry.substr(0, entry_size - 4)) != number_at<std::uint32_t>(entry, entry_size - 4))
-      throw damaged(file,
-                    fmt::format("the checksum of bytes {} to {} does not fit", at, at + entry_size - 5));
+      throw damaged_state(
+          file, fmt::format("the checksum of bytes {} to {} does not fit", at, at + entry_size - 5));
     const auto length = number_at<std::uint64_t>(entry, name_size);
     const std::string name = padded_at(entry, 0, name_size);
     if (length > file.size() - offset)
-      throw damaged(file, fmt::format("section `{}` is at bytes {} to {}, and the file ends at byte {}", name,
-                                      offset, offset + length, file.size()));
+      throw damaged_state(file, fmt::format("section `{}` is at bytes {} to {}, and the file ends at byte {}",
+                                            name, offset, offset + length, file.size()));
     entries.push_back({name, offset, length, number_at<std::uint32_t>(entry, name_size + 8)});
     offset += length;
   }
   if (offset != file.size())
-    throw damaged(
+    throw damaged_state(
         file, fmt::format("the last section ends at byte {}, and the file at byte {}", offset, file.size()));
   return entries;
 }
@@ -159,8 +159,8 @@ StateFile read_state_file(const std::filesystem::path& path) {
   for (SectionEntry& entry : read_entries(file, count)) {
     std::string bytes = file.read(entry.offset, entry.length);
     if (crc32_of(bytes) != entry.crc)
-      throw damaged(file, fmt::format("the checksum of section `{}`, bytes {} to {}, does not fit",
-                                      entry.name, entry.offset, entry.offset + entry.length));
+      throw damaged_state(file, fmt::format("the checksum of section `{}`, bytes {} to {}, does not fit",
+                                            entry.name, entry.offset, entry.offset + entry.length));
     state.sections.push_back({std::move(entry.name), std::move(bytes), entry.offset});
   }
   return state;

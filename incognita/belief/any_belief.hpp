@@ -77,6 +77,9 @@ class AnyBelief {
   /// True for a block-diagonal map covariance; false in information form.
   bool drops_correlations() const;
 
+  /// Saves or restores all but the trace: math/saved_state/.
+  void state(StateArchive& archive);
+
  private:
   std::variant<Belief, InformationBelief> form_;
 };

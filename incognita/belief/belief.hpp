@@ -118,6 +118,9 @@ class Belief : public StateLayout {
   /// does not depend on the size of the map.
   void innovation_covariance(std::span<const LinearizedMeasurement> measurements, Eigen::MatrixXd& S) const;
 
+  /// Saves or restores all but the trace: math/saved_state/.
+  void state(StateArchive& archive);
+
  private:
   using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
   using ConstMatrix = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;

@@ -103,7 +103,10 @@ const ReverseFactor* InformationBelief::factor() const {
 }
 
 void InformationBelief::reserve(int errors) {
-  if (!information_.reserve(errors, errors_)) return;
+  if (information_.reserve(errors, errors_)) size_workspace();
+}
+
+void InformationBelief::size_workspace() {
   cross_ = AlignedBuffer(static_cast<std::size_t>(information_.stride) * max_block_size);
   packed_ = AlignedBuffer(static_cast<std::size_t>(information_.stride + round_up_to_panel(max_block_size)) *
                           max_block_size);

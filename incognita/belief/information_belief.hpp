@@ -59,8 +59,12 @@ class InformationBelief : public StateLayout {
                   std::span<BlockVector> out);
   void innovation_covariance(std::span<const LinearizedMeasurement> measurements, Eigen::MatrixXd& S) const;
 
+  /// Saves or restores all but the trace: math/saved_state/.
+  void state(StateArchive& archive);
+
  private:
   void reserve(int errors);
+  void size_workspace();
   BlockId append_independent(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,
                              const BlockMatrix& own, bool vehicle);
   BlockMatrix own_information(const Block& b) const;

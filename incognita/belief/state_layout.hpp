@@ -12,6 +12,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class StateLayout {
  public:
   int errors() const { return errors_; }  ///< of all blocks
@@ -44,6 +46,9 @@ class StateLayout {
   };
 
   const Block& block(BlockId id) const;
+
+  /// Saves or restores blocks and means; not the trace, which is cleared between ticks.
+  void layout_state(StateArchive& archive);
 
   // All checks throw std::invalid_argument, with the sizes, when sizes do not fit.
   void check_vehicle(const Chart& chart, const Eigen::Ref<const Eigen::VectorXd>& mean,

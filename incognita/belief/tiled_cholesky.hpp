@@ -10,6 +10,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class TiledCholesky {
  public:
   static constexpr int tile = 64;  ///< rows and columns of a tile
@@ -33,6 +35,9 @@ class TiledCholesky {
 
   /// Steps of a whole factorization: rows^3 / 6 in tiles.
   static long steps_of(int size);
+
+  /// Saves or restores a factorization that has begun: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   double* at(int row, int column) {

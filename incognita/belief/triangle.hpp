@@ -5,6 +5,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 struct Triangle {
   AlignedBuffer storage;
   int capacity = 0;  ///< maximum rows
@@ -14,6 +16,9 @@ struct Triangle {
   bool reserve(int size, int used);
   /// Removes `count` rows and columns; the content beyond the new size stays finite.
   void remove(int first, int count, int size);
+
+  /// Saves or restores the first `used` rows: math/saved_state/.
+  void state(StateArchive& archive, int used);
 
   double* column(int j) { return storage.data() + static_cast<long>(j) * stride; }
   const double* column(int j) const { return storage.data() + static_cast<long>(j) * stride; }

@@ -15,6 +15,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 /// How a body is controlled.
 struct BodyControl {
   AnyMotion motion;           ///< of the body; with `carried_at`, of the vehicle that carries it
@@ -45,6 +47,9 @@ class BodyController {
   /// The command while the estimate is lost: vehicles stand still, or go where a person drives them; a body in space
   /// would drift, so it brakes from its last known motion.
   BodyCommand act_when_lost(const BodyGoal* goal, const BodyObservation& observed, double t);
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   bool flies() const { return !control_.carried_at && traits_of(control_.motion).in_space(); }

@@ -1,6 +1,7 @@
 // The interface of the controller in the loop: from the goal to the next command.
 #pragma once
 
+#include "incognita/math/saved_state/saved_part.hpp"
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/observation.hpp"
@@ -9,9 +10,8 @@
 
 namespace incognita {
 
-class Controller {
+class Controller : public SavedPart {
  public:
-  virtual ~Controller() = default;
   /// The command until the next tick.
   virtual Command act(const Estimate& estimate, const Goal& goal, const Observation& observation,
                       const Tick& tick) = 0;

@@ -10,6 +10,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 /// Largest velocities of a camera that a person flies.
 inline constexpr double manual_speed_m_s = 0.5, manual_turn_rate_rad_s = 0.6;
 
@@ -22,6 +24,9 @@ class ManualFlight {
   /// x, y, z (m, world) and heading (rad); of the last call.
   const Eigen::Vector4d& reference() const { return reference_; }
 
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
+
  private:
   Eigen::Vector4d reference_{0, 0, 0, 0};
   std::optional<double> last_t_;
@@ -32,6 +37,9 @@ class ManualDisplay {
  public:
   /// What is shown; none while nothing is asked for.
   std::optional<UserCommand> show(const CameraState& estimate, const ManualDrive& drive, double t);
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   std::optional<UserCommand> shown_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "incognita/math/saved_state/matrices.hpp"
+
 namespace incognita {
 
 SteeringController::SteeringController(std::vector<BodyControl> bodies, double period_s) {
@@ -22,6 +24,12 @@ Command SteeringController::act(const Estimate& estimate, const Goal& goal, cons
                                                   tick.t, tick.t - *first_t_));
   }
   return command;
+}
+
+void SteeringController::state(StateArchive& archive) {
+  auto& [bodies, first_t] = *this;
+  archive.each(bodies, "controlled bodies");
+  archive(first_t);
 }
 
 }  // namespace incognita

@@ -19,6 +19,8 @@ class SteeringController final : public Controller {
   Command act(const Estimate& estimate, const Goal& goal, const Observation& observation,
               const Tick& tick) override;
 
+  void state(StateArchive& archive) override;
+
  private:
   std::vector<BodyController> bodies_;
   std::optional<double> first_t_;

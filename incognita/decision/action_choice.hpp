@@ -12,6 +12,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class ActionChoice {
  public:
   /// `names`: names of the actions, in the order of the action set. `position_errors`: number of leading
@@ -26,6 +28,9 @@ class ActionChoice {
 
   /// To be called when tracking is lost: the next tick compares all actions again.
   void forget();
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
   /// Scores of the last comparison; 0 before the first.
   const std::vector<double>& scores() const { return scores_; }

@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "incognita/decision/expectation.hpp"
+#include "incognita/math/saved_state/saved_part.hpp"
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/tick.hpp"
 #include "incognita/slam/mapper/estimate.hpp"
 
 namespace incognita {
 
-class BodyChoice {
+class BodyChoice : public SavedPart {
  public:
-  virtual ~BodyChoice() = default;
   /// Updates the goal: scores the actions and, once per period, chooses the next one. `body`: with its block in
   /// `belief`.
   virtual void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,

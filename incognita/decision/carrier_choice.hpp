@@ -33,6 +33,7 @@ class CarrierChoice final : public BodyChoice {
               BodyGoal& goal) override;
   /// The commanded speeds are set to zero.
   void forget() override;
+  void state(StateArchive& archive) override;
   const std::vector<std::string>& names() const override { return choice_.names(); }
 
  private:

@@ -32,6 +32,7 @@ class Decision final : public Strategy {
   Goal choose(const Estimate& estimate, const Tick& tick) { return choose(estimate, {}, tick); }
 
   void restart(std::size_t body) override;
+  void state(StateArchive& archive) override;
   /// Chooses by other settings from now on; what was seen and expected stays. Throws std::invalid_argument if the
   /// actions of a body would change, which are constant over a run.
   void change(std::vector<std::unique_ptr<BodyChoice>> choices);

@@ -18,6 +18,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 struct ExpectedLandmark {
   int index = 0;  ///< identity, constant while it is expected
   Eigen::Vector3d position{0, 0, 0};
@@ -39,6 +41,9 @@ class Exploration {
   /// The cells seen so far; the same object until another cell becomes seen.
   const std::shared_ptr<const ExplorationVolume>& volume() const { return volume_; }
   const ExplorationSettings& settings() const { return settings_; }
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   Eigen::Vector3d center_of(int cell) const;

@@ -21,6 +21,7 @@ class FreeCameraChoice final : public BodyChoice {
   void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation, const Tick& tick,
               BodyGoal& goal) override;
   void forget() override;
+  void state(StateArchive& archive) override;
   const std::vector<std::string>& names() const override { return choice_.names(); }
 
  private:

@@ -8,6 +8,7 @@ namespace incognita {
 class NoDecision final : public Strategy {
  public:
   Goal choose(const Estimate&, const Observation&, const Tick&) override { return {}; }
+  void state(StateArchive&) override {}  // it has none
   const std::vector<std::string>& actions(std::size_t) const override { return none_; }
 
  private:

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "incognita/math/saved_state/saved_part.hpp"
 #include "incognita/messages/goal.hpp"
 #include "incognita/messages/observation.hpp"
 #include "incognita/messages/tick.hpp"
@@ -12,9 +13,8 @@
 
 namespace incognita {
 
-class Strategy {
+class Strategy : public SavedPart {
  public:
-  virtual ~Strategy() = default;
   /// The goal of every body, with the scores of all candidate actions. No action is chosen without a pose (not started,
   /// lost).
   virtual Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick) = 0;

@@ -20,6 +20,7 @@ class TakenOver final : public Strategy {
 
   /// The goal of the strategy; no action of a body that is taken over is chosen, its scores stay.
   Goal choose(const Estimate& estimate, const Observation& observation, const Tick& tick) override;
+  void state(StateArchive& archive) override;
   const std::vector<std::string>& actions(std::size_t body) const override {
     return strategy_->actions(body);
   }

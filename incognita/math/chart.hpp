@@ -11,6 +11,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class Chart {
  public:
   enum class Kind : unsigned char {
@@ -41,6 +43,9 @@ class Chart {
 
   /// delta = y (-) x, such that x (+) delta = y. Sizes as in plus().
   void minus(std::span<const double> y, std::span<const double> x, std::span<double> delta) const;
+
+  /// Saves or restores the parts: saved_state/.
+  void state(StateArchive& archive);
 
  private:
   std::array<Part, max_parts> parts_{};

@@ -11,6 +11,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, std::string_view name);
@@ -24,6 +26,9 @@ class RandomStream {
   double normal();
   /// Uniform integer in [0, count). Throws std::invalid_argument when count < 1.
   int below(int count);
+
+  /// Saves or restores the whole stream: saved_state/.
+  void state(StateArchive& archive);
 
  private:
   std::mt19937_64 engine_;

@@ -9,6 +9,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class SmallImage {
  public:
   static constexpr int max_width = 48;  ///< px
@@ -36,6 +38,9 @@ class SmallImage {
   };
   /// Interpolated linearly between pixel centers; nothing outside.
   std::optional<Sample> sample(const Eigen::Vector2d& at) const;
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   int width_ = 0, height_ = 0, scale_ = 1;

@@ -21,6 +21,7 @@ void DisturbedImages::add_noise(const AddImageNoise& noise) {
     throw std::invalid_argument("image noise: sigma_gray must be 0 to 100, got " +
                                 std::to_string(noise.sigma_gray));
   noise_.reset();
+  sigma_gray_ = noise.sigma_gray;
   if (noise.sigma_gray > 0) noise_.emplace(noise.sigma_gray, seed_, "disturbance.image");
 }
 

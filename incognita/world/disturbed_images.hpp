@@ -23,6 +23,7 @@ class DisturbedImages final : public Sensor {
   void change_light(const ChangeLight& light);
 
   Observation measure(const std::optional<Truth>& truth, const Tick& tick) override;
+  void state(StateArchive& archive) override;
 
  private:
   std::shared_ptr<const Image> disturbed(const Image& image);
@@ -32,6 +33,7 @@ class DisturbedImages final : public Sensor {
   bool covered_ = false;
   double light_ = 1;
   std::optional<ImageNoise> noise_;
+  double sigma_gray_ = 0;  ///< of that noise
 };
 
 }  // namespace incognita

@@ -11,6 +11,7 @@ class FixedRateClock final : public Clock {
   FixedRateClock(double rate_hz, double duration_s);
 
   Tick next() override;
+  void state(StateArchive& archive) override;
   std::int64_t expected_frames() const override { return frames_; }
 
  private:

@@ -10,6 +10,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class ImageNoise {
  public:
   /// `name`: of its random stream, one per camera. Throws std::invalid_argument if sigma_gray is negative or above 100.
@@ -17,6 +19,9 @@ class ImageNoise {
 
   /// Adds noise to every pixel and clamps it to 0 to 255.
   void add_to(Image& image);
+
+  /// Saves or restores the noise that is still to come: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   RandomStream random_;

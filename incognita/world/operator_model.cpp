@@ -81,7 +81,7 @@ Input OperatorActuator::stop(const State& state, double t) {
   if (!stopped_) stopped_ = {state, t};
   model_.forget();
   if (t - stopped_->t >= braking_s) return Input::Zero();
-  return -stopped_->state.tail<6>() / braking_s;
+  return -stopped_->camera.tail<6>() / braking_s;
 }
 
 Heading OperatorActuator::gaze(const UserCommand& shown, const State& state, double t) {

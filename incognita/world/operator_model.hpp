@@ -20,6 +20,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 /// The user commands as the operator understood them, with their delay and errors.
 class OperatorModel {
  public:
@@ -33,6 +35,9 @@ class OperatorModel {
 
   /// Drops pending commands and the one in progress, as when the screen goes dark.
   void forget();
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   Eigen::Vector3d understood(const Eigen::Vector3d& displacement);
@@ -59,13 +64,17 @@ class OperatorActuator {
   FreeCameraMotion::Input<double> move(const BodyCommand& command,
                                        const FreeCameraMotion::State<double>& state, double t);
 
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
+
  private:
   FreeCameraMotion::Input<double> stop(const FreeCameraMotion::State<double>& state, double t);
   Heading gaze(const UserCommand& shown, const FreeCameraMotion::State<double>& state, double t);
 
   struct Moment {
-    FreeCameraMotion::State<double> state;
+    FreeCameraMotion::State<double> camera;
     double t;
+    void state(StateArchive& archive);
   };
   OperatorModel model_;
   OperatorMotion motion_;

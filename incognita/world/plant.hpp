@@ -9,6 +9,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 struct PlantSettings {
   SmallVector start;         ///< state at t = 0
   SmallVector start_sigmas;  ///< sigmas of the true start, one per error component; 0 for none
@@ -38,6 +40,9 @@ class Plant {
   /// Sets the state, e.g. after a collision with an obstacle. Throws std::invalid_argument for a wrong size
   /// or numbers that are not finite.
   void put(const SmallVector& state);
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   AnyMotion motion_;

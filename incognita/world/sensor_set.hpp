@@ -10,9 +10,8 @@
 namespace incognita {
 
 /// One sensor of one body.
-class BodySensor {
+class BodySensor : public SavedPart {
  public:
-  virtual ~BodySensor() = default;
   /// Adds what it measures at a tick to the observation of body `which`, counted from 0. A simulated sensor throws
   /// std::invalid_argument without the truth that it needs.
   virtual void measure(const std::optional<Truth>& truth, std::size_t which, const Tick& tick,
@@ -36,6 +35,7 @@ class SensorSet final : public Sensor {
   explicit SensorSet(BodySensors sensors) { bodies_.push_back(std::move(sensors)); }
 
   Observation measure(const std::optional<Truth>& truth, const Tick& tick) override;
+  void state(StateArchive& archive) override;
 
  private:
   std::vector<BodySensors> bodies_;
@@ -49,6 +49,7 @@ class InputSensor final : public BodySensor {
  public:
   void measure(const std::optional<Truth>& truth, std::size_t which, const Tick& tick,
                BodyObservation& observation) override;
+  void state(StateArchive&) override {}  // it has none
 };
 
 /// Wheel encoders of the vehicle that carries a camera: speed and turn rate, as odometry.
@@ -56,6 +57,7 @@ class WheelEncoders final : public BodySensor {
  public:
   void measure(const std::optional<Truth>& truth, std::size_t which, const Tick& tick,
                BodyObservation& observation) override;
+  void state(StateArchive&) override {}  // it has none
 };
 
 }  // namespace incognita

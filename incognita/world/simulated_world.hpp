@@ -48,6 +48,7 @@ class SimulatedWorld final : public World {
   /// Obstacles stop a displaced or pushed body. A camera on a mount is disturbed with the vehicle that carries it.
   void displace(const DisplaceBody& displacement) override;
   void push(const PushBody& push) override;
+  void state(StateArchive& archive) override;
 
  private:
   struct Simulated {
@@ -56,6 +57,7 @@ class SimulatedWorld final : public World {
     bool stopped = false;  ///< by an obstacle, in the last tick
     Eigen::Vector3d push_m_s{0, 0, 0};
     double push_left_s = 0;  ///< time for which it is still pushed
+    void state(StateArchive& archive);
   };
   Simulated& simulated(std::size_t body);
   static void push_on(Simulated& simulated, double dt_s);

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "incognita/math/saved_state/saved_part.hpp"
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/intervention.hpp"
 #include "incognita/messages/observation.hpp"
@@ -12,9 +13,8 @@
 namespace incognita {
 
 /// Source of time: frame rate of a simulation, time stamps of a recording, or a real clock.
-class Clock {
+class Clock : public SavedPart {
  public:
-  virtual ~Clock() = default;
   /// Next tick, or an empty Tick at the end.
   virtual Tick next() = 0;
   /// Number of ticks, 0 if unknown; only used to report progress.
@@ -22,9 +22,8 @@ class Clock {
 };
 
 /// The environment and the bodies that move in it.
-class World {
+class World : public SavedPart {
  public:
-  virtual ~World() = default;
   /// Executes the command, given at the previous tick, for `tick.dt` seconds. Returns the truth, empty if unknown.
   virtual std::optional<Truth> move(const Command& command, const Tick& tick) = 0;
   /// Disturbs a true body before its next move. Throws std::invalid_argument where that is impossible: in a recording,
@@ -34,9 +33,8 @@ class World {
 };
 
 /// The sensors of all bodies.
-class Sensor {
+class Sensor : public SavedPart {
  public:
-  virtual ~Sensor() = default;
   /// Throws std::runtime_error on permanent failure; the message names the file and the remedy.
   virtual Observation measure(const std::optional<Truth>& truth, const Tick& tick) = 0;
 };

@@ -23,6 +23,7 @@ incognita_test(davison_test SOURCES app/davison_test.cpp USES incognita::app ope
 incognita_test(reproduce_test SOURCES app/reproduce_test.cpp
                USES incognita_app_reproduce incognita::experiments CLI11::CLI11 nlohmann_json::nlohmann_json)
 # Links modules of the library, like program_recording_test
+incognita_program_test(program_resume_test SOURCES app/program_resume_test.cpp USES incognita::record)
 incognita_program_test(program_ranges_test SOURCES app/program_ranges_test.cpp USES incognita::io incognita::world)
 incognita_test(car_park_test SOURCES app/car_park_test.cpp USES incognita::app incognita::analysis)
 incognita_test(observability_watch_test SOURCES app/observability_watch_test.cpp USES incognita::app)
@@ -49,6 +50,10 @@ incognita_test(failed_tick_test SOURCES app/failed_tick_test.cpp
                                         ${PROJECT_SOURCE_DIR}/incognita/app/loop/scenario_run.cpp
                USES incognita::app fmt::fmt)
 target_compile_definitions(failed_tick_test PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
+incognita_test(saved_parts_test SOURCES app/saved_parts_test.cpp USES incognita::decision incognita::control incognita::world)
+incognita_test(resume_test SOURCES app/resume_test.cpp ${PROJECT_SOURCE_DIR}/incognita/app/loop/scenario_run.cpp
+               USES incognita::app fmt::fmt)
+target_compile_definitions(resume_test PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
 incognita_test(live_control_test SOURCES app/live_control_test.cpp USES incognita_app_view)
 incognita_test(robot_controller_test SOURCES app/robot_controller_test.cpp USES incognita::app)
 incognita_test(simulated_robot_test SOURCES app/simulated_robot_test.cpp USES incognita_app_robot)

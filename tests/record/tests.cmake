@@ -1,8 +1,9 @@
 find_package(nlohmann_json 3.11 REQUIRED)
 incognita_test(record_test SOURCES record/adjusted_path_test.cpp record/consistency_summary_test.cpp record/map_survey_test.cpp record/mcap_reader.cpp
                                    record/path_distance_test.cpp record/recorder_test.cpp record/row_file_test.cpp record/run_report_test.cpp
+                                   record/state_file_test.cpp
                                    record/tum_test.cpp
-               USES incognita::record nlohmann_json::nlohmann_json PkgConfig::MATIO)
+               USES incognita::record nlohmann_json::nlohmann_json PkgConfig::MATIO Boost::headers)
 incognita_test(mcap_test SOURCES record/mcap_file_test.cpp record/mcap_reader.cpp record/snapshot_log_test.cpp
                USES incognita::record nlohmann_json::nlohmann_json opencv_core opencv_imgcodecs)
 incognita_test(replay_test SOURCES record/mcap_index_test.cpp record/mcap_reader.cpp record/recorded_events_test.cpp

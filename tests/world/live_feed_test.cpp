@@ -5,6 +5,7 @@
 
 #include <deque>
 
+#include "incognita/math/saved_state/state_archive.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -157,6 +158,39 @@ TEST(LiveFeed, EndsWithItsSource) {
   f.source->ended = true;
   EXPECT_TRUE(f.feed.next()) << "an image that waits is used";
   EXPECT_FALSE(f.feed.next());
+}
+
+std::string saved(LiveFeed& feed) {
+  StateWriter writer;
+  StateArchive archive(writer);
+  feed.state(archive);
+  return std::string(writer.bytes());
+}
+
+void restore(LiveFeed& feed, const std::string& bytes) {
+  StateReader reader(bytes);
+  StateArchive archive(reader);
+  feed.state(archive);
+}
+
+/// The clock of a camera begins at 0 again, that of a robot goes on.
+TEST(LiveFeed, GoesOnAfterASavedRun) {
+  for (const double again : {0.0, 49.0, 58.0}) {
+    Feed f;
+    f.source->add(100, 50);
+    f.source->add(100.1, 50.1);
+    f.feed.next(), f.feed.next();
+    Feed resumed;
+    restore(resumed.feed, saved(f.feed));
+    resumed.source->add(100, again, {{again - 0.05, {1, 0}}});
+    resumed.source->add(100.1, again + 0.1);
+    const Tick tick = resumed.feed.next();
+    EXPECT_EQ(tick.frame, 2);
+    EXPECT_DOUBLE_EQ(tick.t, again > 50 ? again : 50.2);
+    EXPECT_NEAR(tick.dt, tick.t - 50.1, 1e-9);
+    EXPECT_EQ(resumed.feed.observation().odometry.size(), 1u) << "its stamps are moved, too";
+    EXPECT_NEAR(resumed.feed.next().dt, 0.1, 1e-9);
+  }
 }
 
 TEST(LiveFeed, RefusesTimesThatDoNotFit) {

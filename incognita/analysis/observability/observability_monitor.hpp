@@ -27,6 +27,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class ObservabilityMonitor {
  public:
   struct Block {
@@ -100,12 +102,16 @@ class ObservabilityMonitor {
   /// Per error: sum of squares of everything ever added, including what was forgotten; bounds the rounding error.
   Eigen::VectorXd gathered();
 
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
+
  private:
   /// Whitened rows of a measurement with respect to one block.
   struct Part {
     int row;    ///< among the pending rows
     int first;  ///< index of the first error
     MeasurementJacobian H;
+    void state(StateArchive& archive);
   };
   int vehicle_errors() const { return vehicle_errors_; }
   bool is_vehicle(const Block& block) const { return block.first < vehicle_errors_; }
@@ -137,6 +143,7 @@ class ObservabilityMonitor {
   struct Motion {
     bool moved = false;
     BlockMatrix A, N;
+    void state(StateArchive& archive);
   };
   std::vector<Motion> moved_;  ///< per vehicle
   int position_size_ = 0;      ///< see set_exact_position()

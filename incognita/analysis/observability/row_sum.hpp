@@ -8,6 +8,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 /// Uses the filter's rank update, which is several times faster than Eigen's on processors with wide
 /// registers. That one subtracts, so the negative of M is stored.
 class RowSum {
@@ -27,6 +29,9 @@ class RowSum {
   void remove(int first, int count);
   /// Both triangles.
   Eigen::MatrixXd matrix() const;
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   using Lower = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;

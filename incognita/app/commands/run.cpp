@@ -14,17 +14,22 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "incognita/app/commands/page_options.hpp"
 #include "incognita/app/commands/recorder_sink.hpp"
 #include "incognita/app/console/interrupt.hpp"
 #include "incognita/app/console/print_message.hpp"
+#include "incognita/app/console/save_request.hpp"
 #include "incognita/app/loop/intervention_log.hpp"
+#include "incognita/app/loop/saved_run.hpp"
 #include "incognita/app/loop/scenario_run.hpp"
 #include "incognita/app/view/live_page.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/record/files/durable_file.hpp"
+#include "incognita/record/files/state_file.hpp"
 #include "incognita/record/replay/recorded_run.hpp"
 #include "incognita/record/snapshot/interventions.hpp"
 #include "incognita/world/live/robot_link.hpp"
@@ -45,6 +50,9 @@ struct RunOptions {
   std::vector<std::string> view;  // the port, if the page is wanted
   PageOptions page;
   std::optional<std::string> replay_commands;
+  std::optional<std::string> resume;
+  bool relocalize = false;
+  std::shared_ptr<const StateFile> saved;  // what that file holds
 };
 
 constexpr std::size_t largest_settings = std::size_t{1} << 20;
@@ -52,15 +60,17 @@ constexpr std::size_t largest_settings = std::size_t{1} << 20;
 /// An interrupt ends the loop after the current frame; files are closed and figures drawn.
 void handle_signals() {
   catch_interrupts();
+  catch_save_signal();
   std::signal(SIGXFSZ, SIG_IGN);  // makes a full disk a reported error
 }
 
 LoadedScenario load(const RunOptions& options, const std::vector<std::string>& further = {}) {
-  std::vector<std::string> sets = options.sets;
-  sets.insert(sets.end(), further.begin(), further.end());
   std::vector<Flag> flags;
   if (options.seed) flags.push_back({"run.seed", *options.seed, "--seed"});
   if (options.duration_s) flags.push_back({"run.duration_s", *options.duration_s, "--duration"});
+  if (options.saved && !options.relocalize) return scenario_of(*options.saved, options.sets, flags, further);
+  std::vector<std::string> sets = options.sets;
+  sets.insert(sets.end(), further.begin(), further.end());
   return load_scenario(options.scenario, sets, flags);
 }
 
@@ -118,6 +128,15 @@ void check(const RunOptions& options) {
     throw InputError("--view-address, --allow-origin and --https: only with --view");
   if (options.replay_commands && !options.view.empty())
     throw InputError("--replay-commands and --view: only one of them at a time");
+  if (options.relocalize && !options.resume) throw InputError("--relocalize: only with --resume");
+  if (!options.resume) return;
+  if (options.relocalize && !options.scenario_given)
+    throw InputError("--relocalize: name the scenario of the run that uses the map");
+  if (options.scenario_given && !options.relocalize)
+    throw InputError(fmt::format(
+        "--resume: the scenario is that of {}; leave out `{}`, or use the map alone, with --relocalize",
+        *options.resume, options.scenario));
+  if (options.replay_commands) throw InputError("--resume and --replay-commands: only one of them at a time");
 }
 
 /// The scenario; without one, with the commands of an earlier run, the settings and the name of that run.
@@ -138,6 +157,14 @@ LoadedScenario load_or_repeat(RunOptions& options) {
 /// replay.toml: the scenario that repeats a live run from its images.
 void write_replay(const LoadedScenario& loaded, const std::string& out) {
   write_whole_file(std::filesystem::path(out) / "replay.toml", replay_toml(loaded, "recording"));
+}
+
+/// Writes the state of the run beside its tables.
+void save_into(RunSaving& saving, const RunOptions& options, const std::filesystem::path& out) {
+  saving.is_requested = take_save_request;
+  saving.write = [file = out / state_file_name](const std::string& bytes) { write_durably(file, bytes); };
+  (options.relocalize ? saving.map : saving.resumed) = options.saved.get();
+  saving.reload = [options](const std::vector<std::string>& settings) { return load(options, settings); };
 }
 
 /// One run from its start to its end. `page`: null without one.
@@ -162,6 +189,7 @@ RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, con
     return !interrupted();
   };
   callbacks.is_over = [page] { return page ? page->control().is_ending() : interrupted(); };
+  save_into(callbacks.saving, options, out);
   if (logged) callbacks.interventions = &*logged;
   if (page) {
     callbacks.live_sources.browser = page->camera();
@@ -182,6 +210,7 @@ RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, con
     auto sink = std::make_unique<RecorderSink>(
         RecorderSink::Options{out, options.save_frames, save_recording, !options.no_figures, frame_done},
         info, frames);
+    remove_partial_files(out);  // of a run that was killed while it saved
     if (loaded.scenario.is_live()) write_replay(loaded, out);
     if (page) page->begin(info, frames);
     return sink;
@@ -203,13 +232,21 @@ bool same_folder(const std::filesystem::path& a, const std::filesystem::path& b)
   return std::filesystem::equivalent(a, b, missing);
 }
 
-/// Never that of the run whose commands are repeated: its log cannot be had again.
+/// Never that of the run whose commands are repeated, or which is resumed: its files cannot be had again.
 std::string output_folder(const RunOptions& options, const LoadedScenario& loaded) {
-  const std::string out = options.out.value_or("out/" + loaded.name);
-  if (!options.replay_commands || !same_folder(out, *options.replay_commands)) return out;
-  if (!options.out) return out + "-again";
-  throw InputError(
-      fmt::format("--out: {} is the run whose commands are repeated; choose another folder", out));
+  std::string out = options.out.value_or("out/" + loaded.name);
+  std::filesystem::path earlier;
+  if (options.replay_commands) earlier = *options.replay_commands;
+  if (options.resume) earlier = std::filesystem::absolute(*options.resume).parent_path();
+  if (earlier.empty()) return out;
+  const std::string what = options.resume ? "resumed" : "again";
+  if (options.out && same_folder(out, earlier))
+    throw InputError(fmt::format("--out: {} is the run {}; choose another folder", out,
+                                 options.resume ? "that is resumed" : "whose commands are repeated"));
+  if (options.out) return out;
+  if (options.resume && !options.relocalize) out += "-resumed";
+  while (same_folder(out, earlier)) out += "-" + what;
+  return out;
 }
 
 int exit_code(const RunOutcome& outcome) { return outcome.status == RunStatus::done ? 0 : 1; }
@@ -223,7 +260,7 @@ std::string next_folder(const std::string& out, int run) {
 int run_with_page(RunOptions options) {
   handle_signals();
   LoadedScenario loaded = load(options);
-  const std::string out = options.out.value_or("out/" + loaded.name);
+  const std::string out = output_folder(options, loaded);
   LivePage page(server_settings(options.page), options.scenario, [] { return interrupted(); });
   print_message("the page is at {}\n{}", page.address(),
                 hint_for_other_machines(options.page, page.address()));
@@ -250,6 +287,7 @@ int run_with_page(RunOptions options) {
     options.scenario = start->scenario;
     options.sets = start->settings;
     options.seed.reset(), options.duration_s.reset();
+    options.resume.reset(), options.saved.reset(), options.relocalize = false;
   }
 }
 
@@ -257,6 +295,7 @@ int run(RunOptions options) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed output pipe must not end the run
   if (options.page.phone && options.view.empty()) options.view = {"0"};
   check(options);
+  if (options.resume) options.saved = std::make_shared<const StateFile>(read_state_file(*options.resume));
   if (!options.view.empty()) {
     options.page.port = options.view.back();
     return run_with_page(options);
@@ -293,8 +332,17 @@ CLI::App* add_run(CLI::App& app, std::function<int()>& job) {
           "--replay-commands", options->replay_commands,
           "Repeat what was done from the page in an earlier run; the scenario is that run's unless one is given")
       ->type_name("RUN");
+  command
+      ->add_option(
+          "--resume", options->resume,
+          "Go on from the run.state of an earlier run, as if that had not been interrupted [out/<scenario>-resumed]")
+      ->type_name("FILE");
+  command->add_flag(
+      "--relocalize", options->relocalize,
+      "With --resume: use its map alone, in another scenario of the same place; the camera is lost until it recognizes it");
   command->footer(
       "Example:\n  incognita run room --seed 7 --duration 20 --out out/first\n"
+      "  incognita run --resume out/first/run.state --duration 40 --out out/second\n"
       "  incognita run explore-room --view\n"
       "  incognita run hand --phone\n");
   command->callback([options, scenario, &job] {

@@ -11,6 +11,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 /// The estimator's landmark ids are unrelated to the true identities: each landmark is attributed to the true
 /// landmark whose detection initialized it.
 class AssociationScore {
@@ -25,6 +27,9 @@ class AssociationScore {
   /// Detections of mapped landmarks that were not matched.
   std::int64_t missed() const { return missed_; }
   int duplicate_landmarks() const { return duplicate_landmarks_; }  ///< of mapped landmarks
+
+  /// Saves or restores which landmark is which, and the duplicates; not the counts, which are of the frames of this run.
+  void state(StateArchive& archive);
 
  private:
   void add(const SnapshotMatch& match, std::int64_t truth, const std::set<std::int64_t>& mapped);

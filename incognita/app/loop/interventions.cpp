@@ -6,6 +6,7 @@
 
 #include "incognita/app/loop/body_models.hpp"
 #include "incognita/decision/decision.hpp"
+#include "incognita/math/saved_state/matrices.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
 
@@ -109,6 +110,12 @@ void Interventions::apply_due(const Tick& tick) {
     }
     taken_.push_back(std::move(intervention));
   }
+}
+
+void Interventions::state(StateArchive& archive) {
+  std::vector<std::string> settings = settings_;
+  archive(settings);
+  if (archive.restores() && !settings.empty()) change({settings});
 }
 
 }  // namespace incognita

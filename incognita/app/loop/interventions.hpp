@@ -30,6 +30,9 @@ class Interventions {
   /// Those that were applied at it.
   const std::vector<Intervention>& taken() const { return taken_; }
 
+  /// Saves or restores the changes of settings; before the state of the strategy, which depends on them.
+  void state(StateArchive& archive);
+
  private:
   void apply(const Intervention& intervention);
   void change(const ChangeDecision& change);

@@ -8,10 +8,16 @@ namespace incognita {
 void run_loop(LoopParts& parts, const std::function<void(const Snapshot&)>& publish,
               const std::function<bool(const Tick&)>& keep_going,
               const std::function<void(const Estimate&)>& watch) {
+  LoopState state;
+  run_loop(parts, state, publish, keep_going, watch, {});
+}
+
+void run_loop(LoopParts& parts, LoopState& state, const std::function<void(const Snapshot&)>& publish,
+              const std::function<bool(const Tick&)>& keep_going,
+              const std::function<void(const Estimate&)>& watch, const std::function<void()>& done) {
   const auto& [clock, world, sensor, estimator, strategy, controller] = parts;
-  Estimate estimate;
+  auto& [estimate, command, last] = state;
   estimate.belief.keep_trace(watch != nullptr);
-  Command command;
   std::vector<std::pair<const char*, double>> timing_ms;
 
   while (const Tick tick = clock->next()) {
@@ -32,7 +38,9 @@ void run_loop(LoopParts& parts, const std::function<void(const Snapshot&)>& publ
       estimate.belief.clear_trace();
       stage.mark("watch");
     }
+    last = tick;
     publish(snapshot_of(tick, truth, observation, estimate, goal, *strategy, command, timing_ms));
+    if (done) done();
   }
 }
 

@@ -22,10 +22,23 @@ struct LoopParts {
   std::unique_ptr<Controller> controller;
 };
 
+/// What the loop carries from one tick to the next, besides its parts.
+struct LoopState {
+  Estimate estimate;
+  Command command;  ///< for the next tick
+  Tick tick;        ///< the last one that was done
+};
+
 /// Runs until the clock ends or `keep_going` returns false. Exceptions of the parts and of `publish` are
 /// passed on. `watch`, if given, receives the estimate after each update with the trace of the changes to its belief.
 void run_loop(LoopParts& parts, const std::function<void(const Snapshot&)>& publish,
               const std::function<bool(const Tick&)>& keep_going,
               const std::function<void(const Estimate&)>& watch = {});
+
+/// The same from a state on, which is that of the last tick then. `done`, if given, is called after each tick, when the state is
+/// that of a run which ends there.
+void run_loop(LoopParts& parts, LoopState& state, const std::function<void(const Snapshot&)>& publish,
+              const std::function<bool(const Tick&)>& keep_going,
+              const std::function<void(const Estimate&)>& watch, const std::function<void()>& done);
 
 }  // namespace incognita

@@ -13,6 +13,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class ObservabilityWatch {
  public:
   /// Call after each tick, with the trace of that tick only: Belief::keep_trace().
@@ -21,6 +23,9 @@ class ObservabilityWatch {
 
   /// Report at the last tick; nullopt before the estimator has started. Cost is cubic in the map size.
   std::optional<ObservabilityReport> report();
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   bool exceeds_limit(const Estimate& estimate);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "incognita/math/saved_state/state_archive.hpp"
+
 namespace incognita {
 namespace {
 
@@ -30,6 +32,11 @@ Command RobotController::act(const Estimate& estimate, const Goal& goal, const O
   last_ = velocity;
   if (!command.bodies.empty()) command.bodies.front().input = velocity;
   return command;
+}
+
+void RobotController::state(StateArchive& archive) {
+  controller_->state(archive);
+  if (archive.restores()) last_.setZero();
 }
 
 }  // namespace incognita

@@ -20,6 +20,8 @@ class RobotController final : public Controller {
   /// robot is stopped by hand, or the state is lost or not known yet; a person who has taken over may drive a lost robot.
   Command act(const Estimate& estimate, const Goal& goal, const Observation& observation,
               const Tick& tick) override;
+  /// A robot stands still while its navigation is restarted.
+  void state(StateArchive& archive) override;
 
  private:
   std::unique_ptr<Controller> controller_;

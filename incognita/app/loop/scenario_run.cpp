@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -11,6 +12,8 @@
 #include "incognita/app/loop/association_score.hpp"
 #include "incognita/app/loop/interventions.hpp"
 #include "incognita/app/loop/observability_watch.hpp"
+#include "incognita/app/loop/saved_run.hpp"
+#include "incognita/messages/errors.hpp"
 #include "incognita/record/recorder.hpp"
 
 namespace incognita {
@@ -21,6 +24,7 @@ struct RunConclusion {
   RunStatus status = RunStatus::done;
   std::string reason;
   std::vector<std::string> warnings = {};
+  bool between_ticks = true;  ///< false: a tick failed, and what it changed is no state to go on from
 };
 
 /// State accumulated over the frames.
@@ -84,36 +88,128 @@ void log_failed_tick(const RunProgress& progress, const Interventions& intervent
   }
 }
 
-RunConclusion drive(LoopParts& parts, RunSink& sink, ObservabilityWatch* watch, AssociationScore* score,
+/// Nobody intervenes. Settings that were changed before a resumed run was saved are changed again.
+class NoInterventions final : public InterventionSource {
+ public:
+  explicit NoInterventions(const RunSaving& saving) : saving_(saving) {}
+  std::vector<Intervention> due(const Tick&) override { return {}; }
+  void refused(const Intervention&, const std::string&) override {}
+  LoadedScenario reloaded(const std::vector<std::string>& settings) override {
+    if (saving_.reload) return saving_.reload(settings);
+    throw InputError("settings of the decision were changed during this run, which cannot be repeated here");
+  }
+
+ private:
+  const RunSaving& saving_;
+};
+
+/// Saves the state of a run where it is wanted.
+class Saver {
+ public:
+  Saver(const LoadedScenario& loaded, RunState& run, const RunCallbacks& callbacks)
+      : loaded_(loaded), run_(run), saving_(callbacks.saving), report_(callbacks.report) {}
+
+  /// A state that cannot be saved is refused before the first frame.
+  void check() {
+    if (saving_.write) saved_run(loaded_, run_, saved_clock(*run_.parts.clock), INCOGNITA_VERSION);
+  }
+
+  /// After each frame. A state that cannot be written must not end the run: it is tried again when the next save is due.
+  void frame_done() {
+    if (!saving_.write) return;
+    clock_ = saved_clock(*run_.parts.clock);
+    const bool requested = saving_.is_requested && saving_.is_requested();
+    if (!is_due(run_.loop.tick.t) && !requested) return;
+    try {
+      const auto start = std::chrono::steady_clock::now();
+      const std::size_t bytes = save();
+      const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
+      if (requested)
+        report_(fmt::format("saved at t = {:.3f} s: {:.1f} MB in {:.0f} ms", run_.loop.tick.t,
+                            1e-6 * static_cast<double>(bytes), ms.count()));
+    } catch (const RecordError& error) {
+      report_(error.what());
+    }
+  }
+
+  void save_end() {
+    if (saving_.write && clock_) save();
+  }
+
+ private:
+  /// The number of bytes.
+  std::size_t save() {
+    const std::string bytes = saved_run(loaded_, run_, *clock_, INCOGNITA_VERSION);
+    saving_.write(bytes);
+    return bytes.size();
+  }
+
+  bool is_due(double t) {
+    const double every_s = loaded_.scenario.run.save_every_s;
+    if (!due_t_) due_t_ = t + every_s;
+    if (every_s == 0 || !has_come(*due_t_, t)) return false;
+    due_t_ = t + every_s;
+    return true;
+  }
+
+  const LoadedScenario& loaded_;
+  RunState& run_;
+  const RunSaving& saving_;
+  const std::function<void(const std::string&)>& report_;
+  std::optional<std::string> clock_;  ///< its state at the end of the last frame
+  std::optional<double> due_t_;
+};
+
+RunConclusion drive(RunState& run, Saver& saver, RunSink& sink, bool intervenes,
                     const RunCallbacks& callbacks, const Scenario& scenario) {
   RunProgress progress;
-  std::optional<Interventions> interventions;
-  if (callbacks.interventions) interventions.emplace(parts, scenario, *callbacks.interventions);
+  progress.last.tick = run.loop.tick;
+  progress.ever_tracked = run.ever_tracked;
+  progress.ever_measured = run.ever_measured;
   const auto publish = [&](const Snapshot& snapshot) {
-    progress.add(snapshot, interventions ? interventions->taken() : std::vector<Intervention>{});
-    if (score) score->add(snapshot);
+    progress.add(snapshot, run.interventions.taken());
+    if (run.score) run.score->add(snapshot);
     sink.publish(progress.last);
   };
   const auto keep_going = [&](const Tick& tick) {
     progress.stopped = callbacks.keep_going && !callbacks.keep_going(tick);
-    if (interventions && !progress.stopped) interventions->apply_due(tick);
+    if (!progress.stopped) run.interventions.apply_due(tick);
     return !progress.stopped;
   };
   std::function<void(const Estimate&)> watching;
-  if (watch)
+  if (run.watch)
     watching = [&](const Estimate& estimate) {
-      watch->follow(estimate);
-      if (callbacks.observe) callbacks.observe(*watch);
+      run.watch->follow(estimate);
+      if (callbacks.observe) callbacks.observe(*run.watch);
     };
+  const auto done = [&] {
+    run.ever_tracked = progress.ever_tracked;
+    run.ever_measured = progress.ever_measured;
+    saver.frame_done();
+  };
   try {
-    run_loop(parts, publish, keep_going, watching);
+    run_loop(run.parts, run.loop, publish, keep_going, watching, done);
   } catch (const std::exception& error) {
-    if (interventions) log_failed_tick(progress, *interventions, sink);
-    return {RunStatus::failed, fmt::format("at frame {}: {}", progress.last.tick.frame + 1, error.what())};
+    if (intervenes) log_failed_tick(progress, run.interventions, sink);
+    return {RunStatus::failed,
+            fmt::format("at frame {}: {}", progress.last.tick.frame + 1, error.what()),
+            {},
+            false};
   }
   RunConclusion conclusion = conclusion_of(progress);
   conclusion.warnings = warnings_of(progress, scenario);
   return conclusion;
+}
+
+/// A run whose state cannot be written has failed, as with any other file.
+void save_end(Saver& saver, RunConclusion& conclusion) {
+  try {
+    saver.save_end();
+  } catch (const std::exception& error) {
+    if (conclusion.status == RunStatus::done)
+      conclusion = {RunStatus::failed, error.what(), conclusion.warnings};
+    conclusion.warnings.emplace_back(error.what());
+  }
 }
 
 void note(const AssociationScore& score, RunSink& sink) {
@@ -135,15 +231,26 @@ RunOutcome run_scenario(const LoadedScenario& loaded, const SinkFactory& open,
   Assembly assembly = assemble(loaded, callbacks.live_sources);
   assembly.info.version = INCOGNITA_VERSION;
   for (const std::string& line : assembly.notes) callbacks.report(line);
-  const std::unique_ptr<RunSink> sink = open(assembly.info, assembly.parts.clock->expected_frames());
-  if (assembly.live) begin(*assembly.live, callbacks);
-  if (assembly.robot && callbacks.robot) callbacks.robot(assembly.robot);
   std::optional<ObservabilityWatch> watch;
   if (loaded.scenario.run.observability && loaded.scenario.has_observability_report()) watch.emplace();
   std::optional<AssociationScore> score;
   if (assembly.association_truth) score.emplace(assembly.association_truth);
-  const RunConclusion conclusion = drive(assembly.parts, *sink, watch ? &*watch : nullptr,
-                                         score ? &*score : nullptr, callbacks, loaded.scenario);
+  NoInterventions nobody(callbacks.saving);
+  InterventionSource& source = callbacks.interventions ? *callbacks.interventions : nobody;
+  Interventions interventions(assembly.parts, loaded.scenario, source);
+  LoopState loop;
+  RunState run{assembly.parts, loop, interventions, watch ? &*watch : nullptr, score ? &*score : nullptr};
+  if (callbacks.saving.resumed) restore_run(*callbacks.saving.resumed, run);
+  if (callbacks.saving.map) restore_map(*callbacks.saving.map, loaded, run);
+  Saver saver(loaded, run, callbacks);
+  saver.check();
+  const std::unique_ptr<RunSink> sink = open(assembly.info, assembly.parts.clock->expected_frames());
+  if (assembly.live) begin(*assembly.live, callbacks);
+  if (assembly.robot && callbacks.robot) callbacks.robot(assembly.robot);
+  if (callbacks.saving.resumed) sink->note("resumed_at_s", loop.tick.t);
+  RunConclusion conclusion =
+      drive(run, saver, *sink, callbacks.interventions != nullptr, callbacks, loaded.scenario);
+  if (conclusion.between_ticks) save_end(saver, conclusion);
   if (assembly.live)
     for (const auto& [name, count] : assembly.live->counts()) sink->note(name, count);
   if (score) note(*score, *sink);

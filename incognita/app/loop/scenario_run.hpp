@@ -10,6 +10,7 @@
 #include "incognita/app/loop/assembly.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 #include "incognita/messages/intervention.hpp"
+#include "incognita/record/files/state_file.hpp"
 #include "incognita/record/recorder.hpp"
 #include "incognita/record/snapshot/snapshot.hpp"
 
@@ -49,6 +50,19 @@ class InterventionSource {
   virtual LoadedScenario reloaded(const std::vector<std::string>& settings) = 0;
 };
 
+/// What becomes of the whole state of a run.
+struct RunSaving {
+  /// Receives the content of a state file, record/files/state_file.hpp: at the end, as often as run.save_every_s says, and on
+  /// request. Throws RecordError if it cannot be written.
+  std::function<void(const std::string& bytes)> write = {};
+  /// Asked after each frame: whether to save now.
+  std::function<bool()> is_requested = {};
+  const StateFile* resumed = nullptr;  ///< the run goes on from there
+  const StateFile* map = nullptr;      ///< or only the map of that run is restored
+  /// The scenario of the run with settings that were changed while it went on. Throws InputError.
+  std::function<LoadedScenario(const std::vector<std::string>& settings)> reload = {};
+};
+
 struct RunCallbacks {
   std::function<void(const std::string& line)> report;    ///< receives the assumptions, for printing
   std::function<bool(const Tick& tick)> keep_going = {};  ///< false: the run is interrupted
@@ -60,9 +74,10 @@ struct RunCallbacks {
   InterventionSource* interventions = nullptr;
   /// Receives the observability monitor after each update, where the scenario has one.
   std::function<void(const ObservabilityWatch&)> observe = {};
+  RunSaving saving = {};
 };
 
-/// Throws InputError, naming file and key or value, if the scenario cannot start.
+/// Throws InputError, naming file and key or value, if the scenario cannot start, or not from the state that is to be resumed.
 RunOutcome run_scenario(const LoadedScenario& loaded, const SinkFactory& open, const RunCallbacks& callbacks);
 
 }  // namespace incognita

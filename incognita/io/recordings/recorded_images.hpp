@@ -28,6 +28,7 @@ class RecordedImages final : public BodySensor {
   /// Throws RecordError naming file and frame if an image is missing, damaged or of another size.
   void measure(const std::optional<Truth>& truth, std::size_t which, const Tick& tick,
                BodyObservation& observation) override;
+  void state(StateArchive&) override {}  // it has none
 
  private:
   std::shared_ptr<const Image> read(std::int64_t frame) const;

@@ -43,8 +43,11 @@ struct Given {
   int overrides = 0;
 
   void read_file_of(const std::filesystem::path& path) {
-    const std::string file = shown(path);
-    for (const TomlEntry& section : parse_toml(read_file(path, largest_scenario), file)) {
+    read_text(read_file(path, largest_scenario), shown(path));
+  }
+
+  void read_text(const std::string& text, const std::string& file) {
+    for (const TomlEntry& section : parse_toml(text, file)) {
       const std::string at = fmt::format("{}:{}", file, section.line);
       const auto* table = std::get_if<TomlTable>(&section.value.value);
       if (section.key.empty())
@@ -194,6 +197,21 @@ std::string replay_toml(const LoadedScenario& live, const std::string& recording
   replay.settings.push_back(given("recording.folder", recording));
   replay.settings.push_back(given("recording.format", "tum"));
   return effective_toml(replay);
+}
+
+LoadedScenario load_scenario_text(const std::string& text, const std::string& source, const std::string& name,
+                                  const std::filesystem::path& file, std::span<const std::string> sets,
+                                  std::span<const Flag> flags) {
+  LoadedScenario loaded;
+  loaded.file = file;
+  loaded.name = name;
+  Given given;
+  given.read_text(text, source);
+  for (const std::string& set : sets) given.read_set(set);
+  for (const Flag& flag : flags) given.override_with(flag.key, flag.value, flag.source);
+  read(loaded, std::move(given));
+  if (sets.empty() && flags.empty()) loaded.settings_of_repeated_run = text;
+  return loaded;
 }
 
 std::string effective_toml(const LoadedScenario& loaded) {

@@ -41,6 +41,12 @@ struct Flag {
 LoadedScenario load_scenario(const std::string& path_or_name, std::span<const std::string> sets = {},
                              std::span<const Flag> flags = {});
 
+/// The same of the text that effective_toml() wrote for a scenario of that name and file. `source`: of the text, for messages.
+/// Without `sets` and `flags` effective_toml() is that text again.
+LoadedScenario load_scenario_text(const std::string& text, const std::string& source, const std::string& name,
+                                  const std::filesystem::path& file, std::span<const std::string> sets = {},
+                                  std::span<const Flag> flags = {});
+
 /// All settings with source, unit and meaning as comments: a scenario file that reproduces the run. For a repeated run
 /// the text that it wrote.
 std::string effective_toml(const LoadedScenario& loaded);

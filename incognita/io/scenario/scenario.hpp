@@ -28,6 +28,7 @@ struct RunSettings {
   double rate_hz = 30;
   bool observability = true;
   bool entropy = true;
+  double save_every_s = 0;
 
   static void describe(auto&& setting) {
     using namespace limits;
@@ -41,6 +42,9 @@ struct RunSettings {
             "Whether the observability of the running filter is analyzed");
     setting(&S::entropy, "entropy", "", any(),
             "Whether the entropies of vehicle, map and both are computed; without, their outputs are empty");
+    setting(
+        &S::save_every_s, "save_every_s", "s", between(0, 1e7),
+        "Time of the run from one save of its whole state to the next, in run.state; 0: only at its end and on request");
   }
 };
 

@@ -31,7 +31,7 @@ void run(SettingReader& r, Scenario& s, bool has_rate, bool is_observed) {
   r.section("run");
   if (has_rate) r.some(s.run, &RunSettings::rate_hz);
   if (is_observed) r.some(s.run, &RunSettings::observability);
-  r.some(s.run, &RunSettings::entropy);
+  r.some(s.run, &RunSettings::entropy, &RunSettings::save_every_s);
 }
 
 void sensor_type(SettingReader& r, Scenario& s, const Words& words) {

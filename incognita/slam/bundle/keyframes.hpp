@@ -16,6 +16,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 struct KeyframeMatch {
   std::int64_t id = 0;  ///< of the landmark
   Eigen::Vector2d pixel{0, 0};
@@ -82,17 +84,22 @@ class Keyframes {
   /// A landmark whose host is the first keyframe, as adjusted; nothing for others.
   std::optional<Eigen::Vector3d> point_in_first_view(std::int64_t id) const;
 
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
+
  private:
   struct Seen {
     int view = 0;
     Eigen::Vector2d pixel;
     Eigen::Matrix2d cov;
+    void state(StateArchive& archive);
   };
   struct Track {
     std::vector<Seen> seen;
     std::optional<DepthPrior> prior = {};   ///< of the depth in the first view; none: that given to adjust()
     std::optional<BundlePoint> point = {};  ///< after the last adjustment; its host is the number of a view
     bool is_reference = false;
+    void state(StateArchive& archive);
   };
 
   int last() const { return views_.rbegin()->first; }

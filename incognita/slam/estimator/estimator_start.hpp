@@ -12,12 +12,17 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class EstimatorStart {
  public:
   /// Starts the estimate and the maps of the cameras that have an image. Otherwise the status of the estimate says what
   /// is missing; it is `lost` when a target was not found in time.
   void start(Estimate& estimate, std::vector<FeatureTracker>& cameras, const EstimatorSettings& settings,
              const Observation& observation, const Tick& tick);
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   bool has_first_fixes(const EstimatorSettings& settings, const Observation& observation);

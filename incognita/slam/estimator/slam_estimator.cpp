@@ -515,6 +515,40 @@ void SlamEstimator::maintain_maps(Estimate& e) {
   }
 }
 
+void SlamEstimator::forget_poses(Estimate& e, const std::string& reason) {
+  if (!e.started)
+    throw std::invalid_argument("the run was saved before its estimate started: there is no map");
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const auto recognizes = [&](const FeatureTracker& c) {
+      return c.camera().body == i && searches_whole_map(c);
+    };
+    if (!settings_.bodies[i].sensors.empty() || std::ranges::none_of(cameras_, recognizes))
+      throw std::invalid_argument(
+          "body " + std::to_string(i + 1) +
+          " cannot find itself in a map: that needs a camera that moves freely, relocalization.whole_map = true and "
+          "a belief in covariance form");
+  }
+  e.first_t.reset();
+  e.health = {};
+  e.entropy = {};
+  e.entropy_t.reset();
+  for (std::size_t i = 0; i < e.bodies.size(); ++i) {
+    stop_and_search(e, i, settings_);
+    e.bodies[i].health = {};
+    e.bodies[i].first_fix_t.reset();
+    e.bodies[i].status = {TrackingState::lost, reason};
+  }
+  express_in_world(e, settings_);
+  e.status = worst_of(e.bodies);
+  for (FeatureTracker& camera : cameras_) {
+    camera.forget_depth_lines(e);
+    camera.forget_time();
+  }
+  frame_counters_.assign(cameras_.size(), {});
+  bodies_.assign(bodies_.size(), {});
+  entropy_ = {};
+}
+
 // ---- Results
 
 void SlamEstimator::report(Estimate& e) const {

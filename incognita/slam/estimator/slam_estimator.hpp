@@ -42,6 +42,13 @@ class SlamEstimator final : public Estimator {
   void update(Estimate& estimate, const Command& command, const Observation& observation,
               const Tick& tick) override;
 
+  void state(StateArchive& archive) override;
+
+  /// Takes the map of a restored estimate into another run: times and poses are forgotten, and all bodies are lost until their
+  /// cameras recognize the map. `reason`: of that, for the status. Throws std::invalid_argument if they could not, and changes
+  /// nothing then.
+  void forget_poses(Estimate& estimate, const std::string& reason);
+
  private:
   void begin_errors(Estimate& estimate) const;
   void see(const Observation& observation);
@@ -83,6 +90,7 @@ class SlamEstimator final : public Estimator {
     int missed = 0;  ///< since their last image
     bool was_lost = false;     ///< before this tick, of a body with cameras
     bool matched_few = false;  ///< a small share of its features, when they were searched last
+    void state(StateArchive& archive);
   };
 
   EstimatorSettings settings_;

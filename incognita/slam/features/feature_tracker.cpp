@@ -328,6 +328,19 @@ void FeatureTracker::maintain_map(Estimate& estimate, const AnyMotion& motion) {
   delete_bad_landmarks(estimate, camera_);
 }
 
+void FeatureTracker::forget_time() {
+  restart_keyframes();
+  moved_estimate_ = false;
+  pixel_noise_ = {};
+  rolling_shutter_ = {};
+  relocalization_.restart();
+  loop_closure_.restart();
+  small_ = small_before_ = {};
+  before_.reset();
+  before_t_ = 0;
+  camera_.lasting.take_back();
+}
+
 void FeatureTracker::adopt(std::int64_t id, Feature feature) { camera_.features[id] = std::move(feature); }
 
 /// Adds the landmarks after `newest`, which began in this frame.

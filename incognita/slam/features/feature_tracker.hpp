@@ -21,6 +21,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 /// Where a camera is, and how the pose of its body is found at the start.
 struct CameraPlacement {
   std::size_t body = 0;
@@ -130,6 +132,10 @@ class FeatureTracker {
   /// relative to its covariance; rejects outliers.
   void take_matches(PoseEvidence evidence, const Estimate& estimate);
 
+  /// The map goes on in another run: forgets images, times and what follows from one frame to the next. The landmarks that are
+  /// known stay where they are while keyframes are adjusted.
+  void forget_time();
+
   /// Takes over a landmark of the estimate, e.g. of a saved map, with its appearance.
   void adopt(std::int64_t id, Feature feature);
 
@@ -140,6 +146,9 @@ class FeatureTracker {
   /// Takes the results of this frame back to those of a copy of camera() from before a further search.
   void restore(TrackedCamera before) { camera_ = std::move(before); }
   int matched() const { return camera_.matched; }
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   /// Landmarks that are wanted in this frame, and for which the map has room.

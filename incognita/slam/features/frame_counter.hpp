@@ -7,6 +7,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class FrameCounter {
  public:
   /// To be called at each tick, at time `t`, s.
@@ -15,6 +17,9 @@ class FrameCounter {
   /// Frames since the last image that are overdue by the period of the last images, as of a camera that failed; nothing
   /// before the first image. An image is overdue a quarter of a period after its time.
   std::optional<int> missed() const { return missed_; }
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   double period_s() const;

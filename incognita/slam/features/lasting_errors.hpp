@@ -19,6 +19,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 struct FeatureMatch;
 
 class LastingErrors {
@@ -38,12 +40,16 @@ class LastingErrors {
   /// Of a landmark, the block of its error; nothing while it has none.
   std::optional<BlockId> of(std::int64_t landmark) const;
 
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
+
  private:
   struct Slot {
     BlockId block = 0;
     std::optional<std::int64_t> landmark;
     std::int64_t used = 0;                                ///< the last frame with a match
     Eigen::Matrix2d plane_cov = Eigen::Matrix2d::Zero();  ///< px^2, of that match
+    void state(StateArchive& archive);
   };
   std::optional<std::size_t> index_of(std::int64_t landmark) const;
   void use_again(Estimate& estimate, Slot& slot, const Eigen::Matrix2d& plane_cov);

@@ -12,6 +12,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 /// Landmarks that came back into the predicted view and are not found, while hardly any landmark is found that was known when they
 /// were seen last: either the pose is wrong, or they are.
 struct MissedLandmarks {
@@ -44,6 +46,9 @@ class LoopClosure {
                                  const TrackedCamera& camera, double t);
   /// Forgets a pose that is not confirmed yet.
   void restart() { known_.restart(); }
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   Relocalization known_;

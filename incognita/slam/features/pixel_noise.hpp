@@ -9,6 +9,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class PixelNoise {
  public:
   /// After the correction: takes the residuals of this frame's matches at full resolution at the corrected means, and sets
@@ -18,10 +20,14 @@ class PixelNoise {
   /// many such errors exceeds that of white noise (first-order Markov process).
   void update(const Estimate& estimate, TrackedCamera& camera);
 
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
+
  private:
   struct Residual {
     std::int64_t id = 0;  ///< of the landmark
     Eigen::Vector2d px;
+    void state(StateArchive& archive);
   };
   void update_lasting(TrackedCamera& camera);
 

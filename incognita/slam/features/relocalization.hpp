@@ -12,6 +12,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class Relocalization {
  public:
   explicit Relocalization(std::uint64_t seed) : random_(seed, "slam.relocalization") {}
@@ -24,12 +26,16 @@ class Relocalization {
   void restart() { candidate_.reset(); }
   bool has_candidate() const { return candidate_.has_value(); }
 
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
+
  private:
   struct Candidate {
     CameraState camera;
     PoseCov cov;
     double t = 0;    ///< s
     int frames = 0;  ///< that confirmed it
+    void state(StateArchive& archive);
   };
 
   struct Tried {

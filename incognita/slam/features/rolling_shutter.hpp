@@ -10,6 +10,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class RollingShutter {
  public:
   /// After the correction at time `t`, s: regresses the residuals of this frame's matches on (row - middle row) / rows times image
@@ -21,10 +23,14 @@ class RollingShutter {
   /// images and explain a part of the residuals.
   std::optional<Readout> readout() const;
 
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
+
  private:
   struct Seen {
     std::int64_t id = 0;  ///< of the landmark
     Eigen::Vector2d predicted;
+    void state(StateArchive& archive);
   };
   std::vector<Seen> now_, before_;  ///< matches of this frame and the last, by id
   std::optional<double> t_before_;  ///< s

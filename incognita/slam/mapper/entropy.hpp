@@ -9,6 +9,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 /// Entropy of the bodies, nats; NaN when their covariance is not positive definite.
 double vehicle_entropy(const Estimate& estimate);
 
@@ -31,6 +33,9 @@ class RunningEntropy {
 
   /// Steps of TiledCholesky per tick: as many floating-point operations as an update with one row, and no fewer than 4e6.
   static long steps_per_tick(int errors);
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   void start(const Estimate& estimate, double t);

@@ -1,6 +1,7 @@
 // The interface of the estimator in the loop.
 #pragma once
 
+#include "incognita/math/saved_state/saved_part.hpp"
 #include "incognita/messages/command.hpp"
 #include "incognita/messages/observation.hpp"
 #include "incognita/messages/tick.hpp"
@@ -8,9 +9,8 @@
 
 namespace incognita {
 
-class Estimator {
+class Estimator : public SavedPart {
  public:
-  virtual ~Estimator() = default;
   /// Advances the estimate from the previous tick to this one, in place. `observation` has one entry per body;
   /// `command` was executed since the previous tick.
   virtual void update(Estimate& estimate, const Command& command, const Observation& observation,

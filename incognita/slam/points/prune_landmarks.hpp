@@ -14,11 +14,16 @@
 
 namespace incognita {
 
+class StateArchive;
+
 class LandmarkPruning {
  public:
   /// Counts by the matches of this tick, after the correction, and deletes. Never anchors, features of cameras, and landmarks
   /// whose sensors report identities. Linear in the map.
   void update(Estimate& estimate, const EstimatorSettings& settings);
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   /// The measurements that a sensor of a body matched so far, by rows: the smallest and the largest numbers.
@@ -26,6 +31,7 @@ class LandmarkPruning {
     SmallVector least, most;
     void extend(const SmallVector& z);
     bool is_well_inside(const SmallVector& z) const;
+    void state(StateArchive& archive);
   };
 
   void extend_reaches(const Estimate& estimate);

@@ -6,6 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "incognita/math/saved_state/matrices.hpp"
+#include "incognita/math/saved_state/state_archive.hpp"
+
 namespace incognita {
 namespace {
 
@@ -53,7 +56,22 @@ double LiveFeed::time_to_wait(double now_s) const {
   return std::clamp(due_s - now_s, 0.0, nap_s);
 }
 
+void LiveFeed::state(StateArchive& archive) {
+  archive(frame_, first_t_, last_t_);
+  resumed_ = archive.restores();
+}
+
+/// The clock of a camera starts anew with each run; that of a robot goes on.
+void LiveFeed::move_after_saved_run(LiveReading& reading) {
+  if (std::exchange(resumed_, false) && last_t_ && reading.t <= *last_t_)
+    shift_s_ = rounded_to_us(*last_t_ + settings_.period_s - reading.t);
+  if (shift_s_ == 0) return;
+  reading.t = rounded_to_us(reading.t + shift_s_);
+  for (Odometry& odometry : reading.odometry) odometry.t = rounded_to_us(odometry.t + shift_s_);
+}
+
 std::optional<Tick> LiveFeed::tick_of(LiveReading reading, double now_s) {
+  move_after_saved_run(reading);
   keep_odometry(reading.odometry);
   if (last_t_ && reading.t <= *last_t_) {
     ++unused_;

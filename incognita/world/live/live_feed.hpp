@@ -39,12 +39,15 @@ class LiveFeed {
   Tick next();
   /// What was measured for the last tick: nothing where images are late.
   BodyObservation observation() const;
+  /// What a resumed run goes on from: its images are later than those before, whatever the clock of the source.
+  void state(StateArchive& archive);
   /// For the summary of a run: those of the source, and images whose stamps were not later than the last tick.
   std::vector<std::pair<std::string, std::int64_t>> counts() const;
 
  private:
   void keep_odometry(const std::vector<Odometry>& readings);
   std::vector<Odometry> take_odometry(double t);
+  void move_after_saved_run(LiveReading& reading);
   std::optional<Tick> tick_of(LiveReading reading, double now_s);
   std::optional<Tick> tick_without_image(double now_s);
   Tick next_tick(double t);
@@ -65,6 +68,8 @@ class LiveFeed {
   std::optional<double> last_image_t_;
   std::optional<LiveReading> reading_;  ///< of the last tick
   std::vector<Odometry> odometry_;      ///< later than the last tick
+  bool resumed_ = false;                ///< no image has come since
+  double shift_s_ = 0;                  ///< added to the times of the source, since it is resumed
 };
 
 class LiveClock final : public Clock {
@@ -72,6 +77,7 @@ class LiveClock final : public Clock {
   explicit LiveClock(std::shared_ptr<LiveFeed> feed) : feed_(std::move(feed)) {}
   Tick next() override { return feed_->next(); }
   std::int64_t expected_frames() const override { return 0; }
+  void state(StateArchive& archive) override { feed_->state(archive); }
 
  private:
   std::shared_ptr<LiveFeed> feed_;
@@ -81,12 +87,14 @@ class LiveClock final : public Clock {
 class LiveWorld final : public World {
  public:
   std::optional<Truth> move(const Command&, const Tick&) override { return std::nullopt; }
+  void state(StateArchive&) override {}  // it has none
 };
 
 class LiveSensors final : public Sensor {
  public:
   explicit LiveSensors(std::shared_ptr<LiveFeed> feed) : feed_(std::move(feed)) {}
   Observation measure(const std::optional<Truth>&, const Tick&) override { return {{feed_->observation()}}; }
+  void state(StateArchive&) override {}  // that of the clock
 
  private:
   std::shared_ptr<LiveFeed> feed_;

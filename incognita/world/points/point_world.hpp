@@ -56,6 +56,7 @@ class PointDetector final : public BodySensor {
 
   void measure(const std::optional<Truth>& truth, std::size_t which, const Tick& tick,
                BodyObservation& observation) override;
+  void state(StateArchive& archive) override;
 
  private:
   std::optional<SmallVector> measured(const SmallVector& state, const SmallVector& point);

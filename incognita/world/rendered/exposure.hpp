@@ -16,6 +16,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 /// Pose of the camera at a time after the middle of the exposure of the middle row, s, also negative.
 using PoseInTime = std::function<RigidPose(double dt_s)>;
 
@@ -59,6 +61,9 @@ class ExposureGain {
 
   /// At a time that is not before that of the previous call, s.
   double at(double t);
+
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   double next_gain();

@@ -16,6 +16,7 @@ class ProximityRing final : public BodySensor {
 
   void measure(const std::optional<Truth>& truth, std::size_t which, const Tick& tick,
                BodyObservation& observation) override;
+  void state(StateArchive& archive) override;
 
  private:
   FloorPlan plan_;

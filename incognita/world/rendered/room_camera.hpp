@@ -35,6 +35,7 @@ class RoomCamera final : public BodySensor {
 
   void measure(const std::optional<Truth>& truth, std::size_t which, const Tick& tick,
                BodyObservation& observation) override;
+  void state(StateArchive& archive) override;
 
  private:
   std::shared_ptr<const Image> image_along(const PoseInTime& world_from_camera, const Tick& tick);

@@ -28,6 +28,7 @@ class RecordedRanges final : public BodySensor {
   RecordedRanges(SharedRangeRecordings recordings, std::size_t vehicle, const RangeSensorSettings& settings);
   void measure(const std::optional<Truth>& truth, std::size_t which, const Tick& tick,
                BodyObservation& observation) override;
+  void state(StateArchive& archive) override;
 
  private:
   void add_readings(double t, BodyObservation& observation);

@@ -16,6 +16,7 @@ class ReplayClock final : public Clock {
   explicit ReplayClock(std::vector<double> times, bool whole_us = false)
       : times_(std::move(times)), whole_us_(whole_us) {}
   Tick next() override;
+  void state(StateArchive& archive) override;
   std::int64_t expected_frames() const override { return static_cast<std::int64_t>(times_.size()); }
 
  private:
@@ -34,6 +35,7 @@ class ReplayWorld final : public World {
   explicit ReplayWorld(std::vector<RecordedTruth> truth) : truth_(std::move(truth)) {}
   /// A body of unknown truth is an empty one; empty if that of all bodies is unknown.
   std::optional<Truth> move(const Command& command, const Tick& tick) override;
+  void state(StateArchive&) override {}  // it has none
 
  private:
   std::vector<RecordedTruth> truth_;

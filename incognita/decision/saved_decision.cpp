@@ -1,0 +1,81 @@
+// The state of the decision: scores, the current actions, what was seen, and random streams.
+#include "incognita/decision/decision.hpp"
+#include "incognita/decision/free_camera_choice.hpp"
+#include "incognita/decision/ground_choice.hpp"
+#include "incognita/decision/taken_over.hpp"
+#include "incognita/math/saved_state/matrices.hpp"
+
+namespace incognita {
+
+template <AnyStateArchive Archive>
+void serialize(Archive& archive, ManualDrive& drive) {
+  auto& [direction, turn] = drive;
+  archive(direction, turn);
+}
+
+template <AnyStateArchive Archive>
+void serialize(Archive& archive, BodyGoal& goal) {
+  auto& [scores, chosen, decided, from, to, start_t, end_t, heading_rad, heading_rate_rad_s, drive, manual] =
+      goal;
+  archive(scores, chosen, decided, from, to, start_t, end_t, heading_rad, heading_rate_rad_s, drive, manual);
+}
+
+template <AnyStateArchive Archive>
+void serialize(Archive& archive, ExpectedLandmark& landmark) {
+  auto& [index, position] = landmark;
+  archive(index, position);
+}
+
+/// The scores of a look-ahead are computed anew by each comparison.
+void ActionChoice::state(StateArchive& archive) {
+  auto& [settings, names, sequence, look_ahead, random, order_stream, scores, allowed, outside_m, order,
+         scored, taken, chosen, end_t] = *this;
+  archive(random, order_stream, scores, allowed, outside_m, order, scored, taken, chosen, end_t);
+  const bool fits = scores.size() == names.size() && allowed.size() == names.size() &&
+                    order.size() == names.size() && chosen >= -1 && chosen < static_cast<int>(names.size());
+  if (!fits) throw DamagedState("the scores of other actions");
+}
+
+void FreeCameraChoice::state(StateArchive& archive) {
+  auto& [settings, translations, turns, choice, gaze, looking, heading_rad, heading_rate_rad_s, gaze_t] =
+      *this;
+  archive(choice, looking, heading_rad, heading_rate_rad_s, gaze_t);
+  if (archive.restores() && looking) translations.turn_at(heading_rate_rad_s);
+}
+
+void CarrierChoice::state(StateArchive& archive) {
+  auto& [changes, choice, drive] = *this;
+  archive(choice, drive);
+}
+
+void GroundChoice::state(StateArchive& archive) {
+  auto& [motion, actions, choice] = *this;
+  archive(choice);
+}
+
+void Exploration::state(StateArchive& archive) {
+  auto& [settings, cells, seen_s, expected, mapped, random, unseen_cells, volume] = *this;
+  const std::size_t count = seen_s.size();
+  archive(seen_s, expected, mapped, random, unseen_cells);
+  if (seen_s.size() != count) throw DamagedState("the seen cells of another exploration volume");
+  if (archive.restores()) renew_volume();
+}
+
+void Decision::state(StateArchive& archive) {
+  auto& [choices, expectation, exploration, entropy, goal, last_t, entropy_due_t] = *this;
+  archive.expect_size(choices.size(), "bodies");
+  for (const auto& choice : choices) choice->state(archive);
+  auto& [bodies, coverage, entropy_extended, volume] = goal;
+  bool explores = volume != nullptr;
+  archive(exploration, bodies, coverage, entropy_extended, explores, last_t, entropy_due_t);
+  if (bodies.size() != choices.size()) throw DamagedState("the goals of other bodies");
+  if (archive.restores()) volume = explores ? exploration.volume() : nullptr;
+}
+
+void TakenOver::state(StateArchive& archive) {
+  auto& [strategy, drives] = *this;
+  archive(drives);
+  strategy->state(archive);
+}
+
+}  // namespace incognita

@@ -30,9 +30,14 @@ file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/io)
 incognita_embed(${PROJECT_SOURCE_DIR}/scenarios embedded_files *.toml targets/*.toml targets/*.pgm)
 incognita_embed(${PROJECT_SOURCE_DIR}/systems embedded_systems *.toml)
 
-incognita_module(io FOLDERS io/formats io/scenario io/recordings SOURCES ${embedded_sources}
+incognita_module(io FOLDERS io/formats io/scenario io/calibrations io/recordings SOURCES ${embedded_sources}
                  USES incognita::models incognita::messages incognita::analysis
                  PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs PkgConfig::MATIO PkgConfig::YAML_CPP)
 target_compile_definitions(incognita_io PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
+
+# Separate, since nothing else draws
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET GLOBAL cairo)
+incognita_module(targets FOLDERS io/targets USES incognita::io incognita::vision PRIVATE_USES fmt::fmt PkgConfig::CAIRO)
+incognita_cold(incognita_targets)
 
 include(app/commands/config.cmake OPTIONAL)

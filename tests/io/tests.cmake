@@ -15,3 +15,5 @@ find_package(nlohmann_json REQUIRED)
 incognita_test(config_test SOURCES app/config_test.cpp
                USES incognita_app_config CLI11::CLI11 nlohmann_json::nlohmann_json)
 incognita_test(terrain_file_test SOURCES io/terrain_file_test.cpp USES incognita::io opencv_core opencv_imgcodecs)
+incognita_test(calibrations_test SOURCES io/calibrations_test.cpp USES incognita::io opencv_core)
+incognita_test(printed_target_test SOURCES io/printed_target_test.cpp io/cut_target_test.cpp USES incognita::targets incognita::slam)

@@ -67,7 +67,8 @@ TEST(Calibration, FindsTheRenderedPinhole) {
 
 TEST(Calibration, FindsTheRenderedPinholeInBlurAndNoise) {
   CalibrationViews views = careful_views(with_pinhole(), 260.0 / 320, {.sigma_gray = 5, .blur_px = 1.5});
-  const CameraCalibration found = calibrate_camera(views, {Settings::Model::pinhole, false});
+  const CameraCalibration found =
+      calibrate_camera(views, {.model = Settings::Model::pinhole, .allow_third_radial = false});
   EXPECT_EQ(found.refusal, "");
   ASSERT_TRUE(found.lens);
   expect_camera(*found.lens, true_pinhole);
@@ -272,6 +273,23 @@ TEST(Calibration, OfOnePartOfTheImageIsRefused) {
   EXPECT_HAS(refusal, " % of the image, and must cover 40 %");
   EXPECT_HAS(refusal, "Move the board to: ");
   EXPECT_HAS(refusal, "lower right");
+}
+
+/// The last two places are near the first two: as in a video, where the camera moves slowly.
+TEST(Calibration, UsesTheViewsThatDifferMost) {
+  CalibrationViews views(board);
+  std::vector<BoardPlace> places = {{{-3, -2, 16}, 0.4, 0.4, 0}, {{3, 2, 16}, 0.4, -0.4, 0},
+                                    {{-3, 2, 16}, -0.4, 0.4, 0}, {{3, -2, 16}, -0.4, -0.4, 0},
+                                    {{0, 0, 13}, 0, 0.5, 0},     {{-3.4, -2, 16}, 0.4, 0.4, 0},
+                                    {{3.4, 2, 16}, 0.4, -0.4, 0}};
+  for (const BoardPlace& place : places) views.add("view", with_pinhole().take(place));
+  ASSERT_EQ(views.used(), 7u);
+  EXPECT_EQ(calibrate_camera(views, {.most_views = 5}).refusal, "");
+  EXPECT_EQ(views.used(), 5u);
+  for (const std::size_t one : {0, 1})
+    EXPECT_NE(views.views()[one].refusal.empty(), views.views()[one + 5].refusal.empty())
+        << "one of each pair";
+  EXPECT_TRUE(views.views()[2].refusal.empty());
 }
 
 /// One board is a print that is 6 % wider than high.

@@ -158,6 +158,7 @@ CameraCalibration calibrate_camera(CalibrationViews& views, const CalibrationSet
   CameraCalibration result;
   result.view_rms_px.assign(views.views().size(), std::numeric_limits<double>::quiet_NaN());
   result.boards.assign(views.views().size(), std::nullopt);
+  views.keep_most_different(settings.most_views);
   constexpr int most_rounds = 5;
   for (int round = 0; round < most_rounds; ++round) {
     result.refusal = why_too_few(views);

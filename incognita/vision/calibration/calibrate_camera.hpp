@@ -13,6 +13,8 @@ namespace incognita {
 struct CalibrationSettings {
   enum class Model { automatic, pinhole, fisheye };
   Model model = Model::automatic;
+  std::size_t most_views =
+      60;  ///< of many, as from a video, those that differ most are used: the time grows with their cube
   bool allow_third_radial = true;  ///< whether a pinhole may have k3; Kalibr's files cannot hold it
 };
 

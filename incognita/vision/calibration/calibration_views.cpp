@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace incognita {
 namespace {
@@ -82,6 +83,27 @@ void CalibrationViews::add_unreadable(const std::string& name, const std::string
 std::size_t CalibrationViews::used() const {
   return static_cast<std::size_t>(
       std::count_if(views_.begin(), views_.end(), [](const auto& view) { return view.refusal.empty(); }));
+}
+
+/// Farthest point first: each next view is the one whose nearest chosen view is the farthest.
+void CalibrationViews::keep_most_different(std::size_t most) {
+  if (used() <= most) return;
+  std::vector<double> nearest_px(views_.size(), 0);
+  for (std::size_t i = 0; i < views_.size(); ++i)
+    if (views_[i].refusal.empty()) nearest_px[i] = std::numeric_limits<double>::infinity();
+  std::vector<bool> chosen(views_.size(), false);
+  for (std::size_t n = 0; n < most; ++n) {
+    const auto next =
+        static_cast<std::size_t>(std::max_element(nearest_px.begin(), nearest_px.end()) - nearest_px.begin());
+    chosen[next] = true;
+    for (std::size_t i = 0; i < views_.size(); ++i)
+      if (nearest_px[i] > 0)
+        nearest_px[i] =
+            i == next ? 0 : std::min(nearest_px[i], difference_px(views_[i].corners, views_[next].corners));
+  }
+  for (std::size_t i = 0; i < views_.size(); ++i)
+    if (views_[i].refusal.empty() && !chosen[i])
+      refuse(i, fmt::format("not needed: {} views that differ more from each other are used", most));
 }
 
 Coverage CalibrationViews::coverage() const {

@@ -36,6 +36,8 @@ class CalibrationViews {
   /// Of the views in use.
   Coverage coverage() const;
 
+  /// Refuses all but the views that differ most, if more than `most` are in use.
+  void keep_most_different(std::size_t most);
   /// Refuses a view that was in use until now.
   void refuse(std::size_t view, const std::string& reason) { views_[view].refusal = reason; }
 

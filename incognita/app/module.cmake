@@ -23,4 +23,6 @@ target_link_libraries(incognita_program PRIVATE incognita_app_view incognita::ap
                       CLI11::CLI11 fmt::fmt PkgConfig::QRENCODE
                       incognita::experiments)  # defined later, in experiments/
 include(app/commands/campaign.cmake)
+include(app/commands/calibrate.cmake)
+include(app/commands/target.cmake)
 include(app/view/laboratory.cmake)

@@ -30,8 +30,8 @@ void expect_usage_error(const Words& arguments, const std::string& what) {
 }
 
 TEST(ProgramUsage, EveryHelpHasAnExample) {
-  for (const Words& command :
-       {Words{}, Words{"run"}, Words{"evaluate"}, Words{"adjust"}, Words{"config"}, Words{"view"}}) {
+  for (const Words& command : {Words{}, Words{"run"}, Words{"evaluate"}, Words{"adjust"}, Words{"config"},
+                               Words{"view"}, Words{"calibrate"}, Words{"target"}}) {
     Words arguments = command;
     arguments.push_back("--help");
     const Ended help = ended(arguments);
@@ -49,7 +49,7 @@ TEST(ProgramUsage, PrintsItsVersion) {
 }
 
 TEST(ProgramUsage, ErrorsSuggestTheNearestName) {
-  expect_usage_error({}, "a command is required: run, evaluate, adjust, config");
+  expect_usage_error({}, "a command is required: run, evaluate, adjust, calibrate");
   expect_usage_error({"evalaute"}, "there is no command `evalaute`; the nearest is `evaluate`");
   expect_usage_error({"--verson"}, "there is no option `--verson`; the nearest is `--version`");
   expect_usage_error({"run", "room", "--sed", "3"}, "there is no option `--sed`; the nearest is `--seed`");

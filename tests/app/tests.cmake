@@ -18,6 +18,9 @@ incognita_program_test(program_test
 # Separate, since it alone renders and writes images: the others start faster without those libraries
 incognita_program_test(program_recording_test SOURCES app/program_recording_test.cpp
                        USES incognita::io incognita::world opencv_core opencv_imgcodecs fmt::fmt)
+# Separate, since they alone render boards and sheets
+incognita_program_test(program_calibrate_test SOURCES app/program_calibrate_test.cpp app/program_target_test.cpp
+                       USES incognita::calibration incognita::io incognita::targets opencv_core opencv_imgcodecs)
 incognita_test(target_start_test SOURCES app/target_start_test.cpp USES incognita::io incognita::slam incognita::world)
 incognita_test(davison_test SOURCES app/davison_test.cpp USES incognita::app opencv_imgproc opencv_core)
 incognita_test(reproduce_test SOURCES app/reproduce_test.cpp

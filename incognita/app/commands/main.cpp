@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "incognita/app/commands/adjust.hpp"
+#include "incognita/app/commands/calibrate.hpp"
 #include "incognita/app/commands/campaign.hpp"
 #include "incognita/app/commands/config.hpp"
 #include "incognita/app/commands/evaluate.hpp"
@@ -11,6 +12,7 @@
 #include "incognita/app/commands/reproduce.hpp"
 #include "incognita/app/commands/robot.hpp"
 #include "incognita/app/commands/run.hpp"
+#include "incognita/app/commands/target.hpp"
 #include "incognita/app/commands/view.hpp"
 #include "incognita/app/console/print_message.hpp"
 #include "incognita/app/console/standard_streams.hpp"
@@ -33,7 +35,9 @@ int carry_out(int argc, char** argv) {
   incognita::add_run(app, job);
   incognita::add_evaluate(app, job);
   incognita::add_adjust(app, job);
+  incognita::add_calibrate(app, job);
   incognita::add_config(app, job);
+  incognita::add_target(app, job);
   incognita::add_observe(app, job);
   incognita::add_campaign(app, job);
   incognita::add_view(app, job);

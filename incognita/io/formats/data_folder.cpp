@@ -32,6 +32,10 @@ constexpr Published known[] = {
     {"mrclam",
      "It is published at asrl.utias.utoronto.ca/datasets/mrclam (credit: K. Leung, Y. Halpern, T. Barfoot,\n"
      "H. Liu); unpack each set into a folder of its own, e.g. mrclam/MRCLAM_Dataset7."},
+    {"chessboard_calibration",
+     "It is published with OpenCV, in samples/data of github.com/opencv/opencv. Put left01.jpg to left14.jpg in\n"
+     "chessboard_calibration. SHA-256 of left01.jpg:\n"
+     "9621899098adffa1440c8264606bb7be535ccfd9ad126ae8e0bd9b0c5a5b8676"},
 };
 
 std::string publication(const std::string& path) {

@@ -4,17 +4,10 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <optional>
-#include <string>
 
-#include "incognita/io/scenario/scenario.hpp"
+#include "incognita/io/calibrations/calibrated_camera.hpp"
 
 namespace incognita {
-
-struct CalibratedCamera {
-  std::filesystem::path file;
-  CameraSettings camera;  ///< valid if `unfit` is empty
-  std::string unfit;      ///< why no camera model of this program fits
-};
 
 struct EurocSensor {
   std::optional<CalibratedCamera> camera;           ///< nullopt if the file has no intrinsics

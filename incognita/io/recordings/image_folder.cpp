@@ -1,26 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <optional>
 #include <system_error>
 
+#include "incognita/io/formats/image_names.hpp"
 #include "incognita/io/recordings/image_kinds.hpp"
-#include "incognita/io/recordings/natural_order.hpp"
 #include "incognita/io/recordings/recording_formats.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
 namespace {
-
-bool is_image_name(const std::filesystem::path& path) {
-  static constexpr const char* endings[] = {".pgm", ".png",  ".jpg", ".jpeg", ".ppm",
-                                            ".bmp", ".tiff", ".tif", ".webp", ".pnm"};
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
-}
 
 /// The last number in a name; nullopt if there is none or it is too long for a frame number.
 std::optional<std::int64_t> number_in(const std::string& name) {

@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace incognita {
+#include "incognita/io/formats/image_names.hpp"
 
-/// Of ASCII, whatever the locale.
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+namespace incognita {
 
 /// Matches as a shell does: `*` for any text, `?` for one character.
 bool fits_pattern(const std::string& pattern, const std::string& name);

@@ -26,7 +26,7 @@ std::vector<std::string> folders_in(const std::filesystem::path& folder) {
   return names;
 }
 
-std::string guess_format(const std::filesystem::path& folder) {
+std::string guess_range_format(const std::filesystem::path& folder) {
   if (looks_like_range_tables(folder)) return "tables";
   if (looks_like_acfr(folder)) return "acfr";
   if (looks_like_mrclam(folder)) return "mrclam";
@@ -67,7 +67,7 @@ RangeRecording read_range_recording(const std::filesystem::path& folder, const s
     throw InputError(fmt::format("{}: is not a folder; a recording must be a folder", folder.string()));
   }
   if (format != "auto") return read_as(format, folder, robot);
-  const std::string guess = guess_format(folder);
+  const std::string guess = guess_range_format(folder);
   RangeRecording recording = read_as(guess, folder, robot);
   recording.notes.insert(recording.notes.begin(),
                          fmt::format("{}: detected format `{}`", folder.string(), guess));
@@ -88,7 +88,7 @@ RangeRecording read_range_recording(const LoadedScenario& loaded) {
 std::vector<RangeRecording> read_team_recording(const LoadedScenario& loaded) {
   const std::filesystem::path folder = folder_of(loaded);
   if (loaded.scenario.recording.format == RecordingSettings::Format::automatic)
-    if (const std::string format = guess_format(folder); format != "mrclam")
+    if (const std::string format = guess_range_format(folder); format != "mrclam")
       throw InputError(fmt::format("{}: recording.team = true: {}; take recording.team = false",
                                    loaded.source_of("recording.team"), one_vehicle(folder, format)));
   return read_mrclam_team(folder);

@@ -1,9 +1,8 @@
-#include "incognita/io/recordings/natural_order.hpp"
+#include "incognita/io/formats/image_names.hpp"
 
-#include <cstddef>
+#include <algorithm>
+#include <cctype>
 #include <utility>
-
-#include "incognita/io/recordings/image_kinds.hpp"
 
 namespace incognita {
 namespace {
@@ -17,6 +16,14 @@ std::pair<std::size_t, std::size_t> digits(const std::string& name, std::size_t 
 }
 
 }  // namespace
+
+bool is_image_name(const std::filesystem::path& path) {
+  static constexpr const char* endings[] = {".pgm", ".png",  ".jpg", ".jpeg", ".ppm",
+                                            ".bmp", ".tiff", ".tif", ".webp", ".pnm"};
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
+}
 
 bool naturally_before(const std::string& a, const std::string& b) {
   std::size_t i = 0, j = 0;

@@ -1,0 +1,3 @@
+# `incognita calibrate`
+target_sources(incognita_program PRIVATE app/commands/calibrate.cpp app/commands/calibration_report.cpp)
+target_link_libraries(incognita_program PRIVATE incognita::calibration incognita::io incognita::record)

@@ -14,10 +14,11 @@
 
 namespace incognita {
 
+constexpr std::int64_t hour_ns = 3'600'000'000'000;
+
 /// ROS writes a stamp of 0 where there is none. Where the clock began at 0, as that of a simulation, 0 is a time.
 template <class Messages>
 bool zero_is_a_time(const Messages& messages) {
-  static constexpr std::int64_t hour_ns = 3'600'000'000'000;
   return std::any_of(messages.begin(), messages.end(), [](const auto& message) {
     return message.stamps.header_ns > 0 && message.stamps.header_ns < hour_ns;
   });

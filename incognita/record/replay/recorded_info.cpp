@@ -5,8 +5,8 @@
 #include <system_error>
 #include <utility>
 
-#include "incognita/messages/errors.hpp"
 #include "incognita/io/bags/input_file.hpp"
+#include "incognita/messages/errors.hpp"
 #include "incognita/record/files/json_limits.hpp"
 
 namespace incognita {

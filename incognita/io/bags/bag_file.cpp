@@ -28,7 +28,8 @@ ros1::DataPlace mcap_data(RecordBytes& bytes, std::uint64_t offset) {
 
 }  // namespace
 
-BagFile::BagFile(const std::filesystem::path& path) : file_(path), is_mcap_(mcap::is_mcap(file_)) {
+BagFile::BagFile(const std::filesystem::path& path)
+    : file_(path), is_mcap_(mcap::is_mcap(file_)), bytes_(file_) {
   const std::string name = path.string();
   if (!is_mcap_ && !ros1::is_ros1_bag(file_))
     throw InputError(name + ": at byte 0: neither an MCAP file nor a ROS 1 bag");
@@ -49,26 +50,28 @@ std::string BagFile::where(const MessagePlace& place) const {
 }
 
 std::string BagFile::message(const MessagePlace& place, std::uint64_t most) const {
+  const std::lock_guard lock(mutex_);
   try {
-    if (place.chunk == MessagePlace::in_file) {
-      RecordBytes bytes(file_);
-      return content(bytes, place, most);
-    }
-    const std::lock_guard lock(mutex_);
-    if (kept_chunk_ != place.chunk) {
-      kept_chunk_ = place.chunk;
-      kept_.reset();
-      try {
-        kept_ = std::make_unique<RecordBytes>(read_chunk(file_, index_.chunks.at(place.chunk)));
-      } catch (const std::runtime_error& error) {
-        why_not_ = error.what();
-      }
-    }
-    if (!kept_) throw Damage{place.offset, fmt::format("the chunk cannot be decompressed: {}", why_not_)};
-    return content(*kept_, place, most);
+    return content(place.chunk == MessagePlace::in_file ? bytes_ : chunk(place.chunk), place, most);
   } catch (const Damage& damage) {
     throw InputError(fmt::format("{}: {}", where(place), damage.what));
   }
+}
+
+/// Throws Damage; a chunk that cannot be decompressed is not tried again for its next message.
+RecordBytes& BagFile::chunk(std::uint32_t number) const {
+  const CompressedChunk& stored = index_.chunks.at(number);
+  if (kept_chunk_ != number) {
+    kept_chunk_ = number;
+    kept_.reset();
+    try {
+      kept_ = std::make_unique<RecordBytes>(read_chunk(file_, stored));
+    } catch (const std::runtime_error& error) {
+      why_not_ = error.what();
+    }
+  }
+  if (!kept_) throw Damage{stored.record, fmt::format("the chunk cannot be decompressed: {}", why_not_)};
+  return *kept_;
 }
 
 std::string BagFile::content(RecordBytes& bytes, const MessagePlace& place, std::uint64_t most) const {

@@ -14,8 +14,8 @@
 
 namespace incognita::bags {
 
-/// Holds an index of the messages in memory and reads their content on demand. Chunks are decompressed one at a time, the
-/// last one is kept. Several threads may read at once.
+/// Holds an index of the messages in memory and reads their content on demand, fastest in the order of the file. Chunks are
+/// decompressed one at a time, the last one is kept. Threads take turns.
 class BagFile {
  public:
   static constexpr std::uint64_t whole = std::numeric_limits<std::uint64_t>::max();
@@ -33,12 +33,14 @@ class BagFile {
   std::string where(const MessagePlace& place) const;
 
  private:
+  RecordBytes& chunk(std::uint32_t number) const;
   std::string content(RecordBytes& bytes, const MessagePlace& place, std::uint64_t most) const;
 
   InputFile file_;
   bool is_mcap_ = false;
   BagIndex index_;
-  mutable std::mutex mutex_;  ///< of the two below
+  mutable std::mutex mutex_;  ///< of what follows
+  mutable RecordBytes bytes_;
   mutable std::uint32_t kept_chunk_ = MessagePlace::in_file;
   mutable std::unique_ptr<RecordBytes> kept_;  ///< null: that chunk cannot be decompressed
   mutable std::string why_not_;                ///< then

@@ -272,6 +272,7 @@ void McapIndexer::add_indexed_chunk(const FoundRecord& chunk_index, std::uint64_
     add_message_index(next, chunk, number);
     at = next.end();
   }
+  if (at == record.end() && chunk.size > 0) throw Damage{offset, "a chunk has no index"};
   previous_end = at;
 }
 

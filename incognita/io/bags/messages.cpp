@@ -89,7 +89,7 @@ PoseMessage read_transform(MessageCursor& cursor) {
 }
 
 std::vector<PoseMessage> read_transforms(MessageCursor& cursor) {
-  constexpr std::size_t least_bytes = 68;  // of a transform: stamp, two texts, seven numbers, without `seq`
+  constexpr std::size_t least_bytes = 72;  // of a transform: stamp, two texts, seven numbers, without `seq`
   std::vector<PoseMessage> transforms(cursor.list_size(least_bytes));
   for (PoseMessage& transform : transforms) transform = read_transform(cursor);
   return transforms;

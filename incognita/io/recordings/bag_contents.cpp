@@ -81,7 +81,7 @@ class ContentsReader {
     } else {
       const bool is_static = wanted.topic->name.find("static") != std::string::npos;
       for (const bags::PoseMessage& transform : bags::read_transforms(cursor))
-        contents.transforms.push_back({stamps_of(transform.header, wanted.message), transform, is_static});
+        contents.transforms.add(transform, stamps_of(transform.header, wanted.message), is_static);
     }
   }
 

@@ -14,16 +14,11 @@
 
 namespace incognita {
 
-/// A message with both of its times.
-struct BagStamps {
-  std::int64_t header_ns = 0;    ///< 0: none
-  std::int64_t recorded_ns = 0;  ///< of the recorder's clock
-};
+constexpr std::int64_t hour_ns = 3'600'000'000'000;
 
 /// ROS writes a stamp of 0 where there is none. Where the clock began at 0, as that of a simulation, 0 is a time.
 template <class Messages>
 bool zero_is_a_time(const Messages& messages) {
-  constexpr std::int64_t hour_ns = 3'600'000'000'000;
   return std::any_of(messages.begin(), messages.end(), [](const auto& message) {
     return message.stamps.header_ns > 0 && message.stamps.header_ns < hour_ns;
   });
@@ -39,15 +34,10 @@ struct BagContents {
     BagStamps stamps;
     bags::PoseMessage pose;
   };
-  struct Transform {
-    BagStamps stamps;
-    bags::PoseMessage transform;
-    bool is_static = false;
-  };
 
   std::vector<ImagePlace> images;  ///< as they lie in the bag
   std::vector<Pose> poses;
-  std::vector<Transform> transforms;
+  TransformTree transforms;                            ///< to be sorted
   std::optional<bags::CameraInfoMessage> camera_info;  ///< the first
   std::size_t other_camera_infos = 0;                  ///< that state another camera than the first
   std::size_t unread = 0;                              ///< messages that are damaged

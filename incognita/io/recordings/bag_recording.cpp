@@ -33,9 +33,10 @@ struct TimedImage {
 BagFrames frames_of(std::vector<TimedImage> images, std::vector<std::string>& notes) {
   std::stable_sort(images.begin(), images.end(),
                    [](const TimedImage& a, const TimedImage& b) { return a.time_ns < b.time_ns; });
+  constexpr std::int64_t finest_ns = 1000;  // stamps are rounded to whole microseconds
   BagFrames frames;
   for (const TimedImage& image : images) {
-    if (!frames.times_ns.empty() && image.time_ns == frames.times_ns.back()) continue;
+    if (!frames.times_ns.empty() && image.time_ns - frames.times_ns.back() < finest_ns) continue;
     frames.times_ns.push_back(image.time_ns);
     frames.messages.push_back(image.message);
   }
@@ -117,7 +118,7 @@ std::optional<CalibratedCamera> camera_in_bag(const std::filesystem::path& path,
 Recording read_bag(const std::filesystem::path& path, const BagTopics& wanted) {
   const auto bag = std::make_shared<const bags::Bag>(path);
   const ChosenTopics topics = choose_topics(*bag, path.string(), wanted);
-  const BagContents contents = read_contents(*bag, topics);
+  BagContents contents = read_contents(*bag, topics);
   if (contents.images.empty())
     throw InputError(fmt::format("{}: no image of {} can be read: {}", path.string(), topics.images->name,
                                  contents.first_unread));
@@ -128,7 +129,7 @@ Recording read_bag(const std::filesystem::path& path, const BagTopics& wanted) {
   recording.images = bag_images(bag, *topics.images, frames.messages);
   note_frames_of_cameras(contents, recording.notes);
   note_camera_of_bag(contents, topics, path.string(), recording);
-  BagTruth truth = truth_of_bag(contents, topics, frames.times_ns, frames.by_recorder);
+  BagTruth truth = truth_of_bag(std::move(contents), topics, frames.times_ns, frames.by_recorder);
   recording.truth = std::move(truth.poses);
   recording.notes.insert(recording.notes.end(), truth.notes.begin(), truth.notes.end());
   return recording;

@@ -54,11 +54,10 @@ bool shows_color_or_gray(const BagTopic& topic) {
 
 /// Names of motion capture systems, and words for ground truth.
 bool is_named_as_truth(const BagTopic& topic) {
-  static constexpr auto words =
-      std::to_array<std::string_view>({"ground_truth", "groundtruth", "truth", "vicon", "mocap", "optitrack",
-                                       "vrpn", "qualisys", "/gt/", "_gt"});
+  static constexpr auto words = std::to_array<std::string_view>(
+      {"truth", "vicon", "mocap", "optitrack", "vrpn", "qualisys", "/gt/", "_gt/"});
   const std::string name = lower_case(topic.name);
-  return has_any(name, words) || name.ends_with("/gt") || name.starts_with("/gt_");
+  return has_any(name, words) || name.ends_with("/gt") || name.ends_with("_gt") || name.starts_with("/gt_");
 }
 
 Topics topics_that(const Bag& bag, bool (*fits)(const BagTopic&)) {

@@ -36,7 +36,7 @@ std::optional<RigidPose> rigid_pose(const bags::PoseMessage& message) {
   return RigidPose{message.position, message.rotation.normalized()};
 }
 
-void TransformTree::add(const bags::PoseMessage& transform, std::int64_t time_ns, bool is_static) {
+void TransformTree::add(const bags::PoseMessage& transform, const BagStamps& stamps, bool is_static) {
   const auto pose = rigid_pose(transform);
   const std::string& parent = transform.header.frame;
   if (!pose || transform.child.empty() || transform.child == parent) return void(++unused_);
@@ -45,11 +45,24 @@ void TransformTree::add(const bags::PoseMessage& transform, std::int64_t time_ns
   if (edge.parent != parent) return void(++unused_);
   edge.is_fixed = edge.is_fixed || is_static;
   if (is_static) edge.samples.clear();  // the last one holds
-  edge.samples.push_back({time_ns, *pose});
+  if (edge.repeats(*pose, stamps)) edge.samples.pop_back();
+  edge.samples.push_back({stamps, 0, *pose});
 }
 
-void TransformTree::sort() {
+/// Whether the last two samples and the next one, later by both clocks, are the same.
+bool TransformTree::Edge::repeats(const RigidPose& next, const BagStamps& stamps) const {
+  if (samples.size() < 2) return false;
+  const Sample &last = samples.back(), &before = *std::prev(samples.end(), 2);
+  return same(last.parent_from_child, next) && same(before.parent_from_child, next) &&
+         before.stamps.header_ns <= last.stamps.header_ns && last.stamps.header_ns <= stamps.header_ns &&
+         before.stamps.recorded_ns <= last.stamps.recorded_ns &&
+         last.stamps.recorded_ns <= stamps.recorded_ns;
+}
+
+void TransformTree::sort(bool by_recorder) {
   for (auto& [child, edge] : edges_) {
+    for (Sample& sample : edge.samples)
+      sample.time_ns = by_recorder ? sample.stamps.recorded_ns : sample.stamps.header_ns;
     std::stable_sort(edge.samples.begin(), edge.samples.end(),
                      [](const Sample& a, const Sample& b) { return a.time_ns < b.time_ns; });
     const RigidPose& first = edge.samples.front().parent_from_child;
@@ -77,6 +90,7 @@ std::optional<RigidPose> TransformTree::at(const Edge& edge, std::int64_t time_n
   if (after->time_ns == time_ns) return after->parent_from_child;
   if (after == edge.samples.begin()) return std::nullopt;
   const Sample& before = *std::prev(after);
+  if (same(before.parent_from_child, after->parent_from_child)) return before.parent_from_child;
   const std::int64_t gap_ns = after->time_ns - before.time_ns;
   if (gap_ns > longest_gap_ns) return std::nullopt;
   return between(before.parent_from_child, after->parent_from_child,

@@ -31,14 +31,6 @@ bool is_by_odometry(const std::vector<std::string>& chain) {
                      [](const std::string& frame) { return frame.find("odom") != std::string::npos; });
 }
 
-TransformTree tree_of(const BagContents& contents, bool by_recorder) {
-  TransformTree tree;
-  for (const BagContents::Transform& t : contents.transforms)
-    tree.add(t.transform, time_of(t.stamps, by_recorder), t.is_static);
-  tree.sort();
-  return tree;
-}
-
 /// How the camera lies in the frame whose poses are the truth; says so.
 RigidPose camera_in_body(const bags::PoseMessage& pose, const std::string& camera, const TransformTree& tree,
                          std::vector<std::string>& notes) {
@@ -136,9 +128,10 @@ std::string unknown_truth(const ChosenTopics& topics, const std::vector<std::str
 
 }  // namespace
 
-BagTruth truth_of_bag(const BagContents& contents, const ChosenTopics& topics,
+BagTruth truth_of_bag(BagContents contents, const ChosenTopics& topics,
                       const std::vector<std::int64_t>& frames, bool by_recorder) {
-  const TransformTree tree = tree_of(contents, by_recorder);
+  contents.transforms.sort(by_recorder);
+  const TransformTree& tree = contents.transforms;
   const std::string& camera = contents.images.front().frame;
   const std::vector<std::string> chain = tree.to_root(camera);
   const bool moves = std::any_of(chain.begin(), std::prev(chain.end()),

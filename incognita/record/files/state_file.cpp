@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "incognita/messages/errors.hpp"
-#include "incognita/record/files/input_file.hpp"
+#include "incognita/io/bags/input_file.hpp"
 
 namespace incognita {
 namespace {

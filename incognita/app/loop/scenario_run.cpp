@@ -111,6 +111,8 @@ RunConclusion drive(LoopParts& parts, RunSink& sink, ObservabilityWatch* watch, 
     if (interventions) log_failed_tick(progress, *interventions, sink);
     return {RunStatus::failed, fmt::format("at frame {}: {}", progress.last.tick.frame + 1, error.what())};
   }
+  // The clock of a robot ends when the run is to end, without a further tick
+  progress.stopped |= scenario.is_robot() && callbacks.is_over && callbacks.is_over();
   RunConclusion conclusion = conclusion_of(progress);
   conclusion.warnings = warnings_of(progress, scenario);
   return conclusion;

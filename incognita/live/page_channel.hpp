@@ -21,8 +21,8 @@ namespace incognita {
 struct LiveState {
   bool running = false, paused = false;
   double speed = 1;
-  std::optional<bool> robot_stopped = {};  ///< by hand; none: the run has no robot
   std::string ended_status, ended_reason;  ///< after the end of a run
+  std::optional<bool> robot_stopped = {};  ///< by hand; none: the run has no robot
 
   bool operator==(const LiveState&) const = default;
 };

@@ -182,6 +182,25 @@ TEST_F(LiveControls, ChangesOfSettingsThatWaitAreFew) {
   control_.command(Intervention{ChangeDecision{{"decision.strategy=random"}}});
 }
 
+TEST(LiveRobot, ARobotIsStoppedAtOnceAndOnlyDuringItsRun) {
+  LiveControl control([] { return false; });
+  LiveState state;
+  control.on_change = [&](const LiveState& changed) { state = changed; };
+  control.begin();
+  EXPECT_THROW(control.command(StopRobot{true}), InputError) << "this run has no robot";
+  std::vector<bool> stops;
+  control.set_robot([&](bool stopped) { stops.push_back(stopped); });
+  EXPECT_EQ(state.robot_stopped, false);
+  control.command(StopRobot{true});
+  EXPECT_EQ(stops, std::vector{true});
+  EXPECT_EQ(state.robot_stopped, true);
+  control.command(StopRobot{false});
+  EXPECT_EQ(state.robot_stopped, false);
+  control.end("done", "");
+  EXPECT_FALSE(state.robot_stopped);
+  EXPECT_THROW(control.command(StopRobot{true}), InputError);
+}
+
 TEST_F(LiveControls, TheStateSaysHowARunEnded) {
   LiveState state;
   control_.on_change = [&](const LiveState& changed) { state = changed; };

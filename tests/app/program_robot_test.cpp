@@ -1,6 +1,8 @@
 // The program's two ends of the link to a robot, as a user starts them.
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 #include "tests/app/program.hpp"
 #include "tests/scratch.hpp"
 
@@ -23,6 +25,16 @@ TEST(ProgramRobot, ARunWithoutARobotFailsAndSaysWhatToStart) {
   EXPECT_SAYS(ended.err, "no connection to ws://127.0.0.1:1");
   EXPECT_SAYS(ended.err, "start rosbridge, or `incognita robot`, there");
   EXPECT_EQ(summary_of(scratch / "out")["status"], "failed");
+}
+
+TEST(ProgramRobot, ARunThatWaitsForItsRobotCanBeInterrupted) {
+  const Scratch scratch;
+  Program run({"run", "robot", "--set", "robot.address=ws://127.0.0.1:1", "--out", "out", "--no-figures"},
+              {.folder = scratch.folder()});
+  ASSERT_TRUE(has_lines(scratch / "out" / "series.csv", 1));
+  run.signal(SIGINT);
+  EXPECT_EQ(run.wait().code, 1);
+  EXPECT_EQ(summary_of(scratch / "out")["status"], "interrupted");
 }
 
 TEST(ProgramRobot, SaysWhichAddressAndWhichScenarioAreWrong) {

@@ -82,8 +82,9 @@ std::string plain(const std::string& written) {
 
 void describe(Variant& variant, const LoadedScenario& loaded, const std::vector<Varied>& lists) {
   if (loaded.scenario.is_robot())
-    throw InputError(loaded.source_of("world.type") +
-                     ": world.type = robot: a campaign repeats runs in a world of its own, and cannot do so with a robot");
+    throw InputError(
+        loaded.source_of("world.type") +
+        ": world.type = robot: a campaign repeats runs in a world of its own, and cannot do so with a robot");
   for (const SettingInForce& setting : loaded.settings) {
     const bool follows = setting.source.starts_with("as ");
     if (setting.key != "run.seed" && !follows) variant.settings[setting.key] = setting.value;

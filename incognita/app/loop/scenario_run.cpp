@@ -196,6 +196,8 @@ RunConclusion drive(RunState& run, Saver& saver, RunSink& sink, bool intervenes,
             {},
             false};
   }
+  // The clock of a robot ends when the run is to end, without a further tick
+  progress.stopped |= scenario.is_robot() && callbacks.is_over && callbacks.is_over();
   RunConclusion conclusion = conclusion_of(progress);
   conclusion.warnings = warnings_of(progress, scenario);
   return conclusion;

@@ -67,7 +67,7 @@ void LiveControl::command(const ViewerCommand& command) {
 void LiveControl::begin(bool paced) {
   const std::lock_guard lock(mutex_);
   paced_ = paced;
-  state_ = {true, false, state_.speed, {}, "", ""};
+  state_ = {true, false, state_.speed, "", ""};
   stop_robot_ = {};
   steps_ = 0;
   stop_ = start_.has_value();  // a viewer may have started yet another run while this one was loaded

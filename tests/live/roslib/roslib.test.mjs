@@ -34,13 +34,13 @@ async function connected(t, folder, args = []) {
     await end();
   });
   let output = '';
-  const address = await before(new Promise((resolve) => {
+  const address = await before(new Promise((resolve, reject) => {
     child.stderr.on('data', (bytes) => {
       output += bytes;
       const found = output.match(/the robot is at (ws:[^,\s]+)/);
       if (found) resolve(found[1]);
     });
-    exited.then((code) => { throw new Error(`the robot ended with ${code}: ${output}`); });
+    exited.then((code) => reject(new Error(`the robot ended with ${code}: ${output}`)));
   }), 'the address');
   ros.connect(address);
   await before(new Promise((resolve, reject) => {

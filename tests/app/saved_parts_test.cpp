@@ -77,16 +77,14 @@ void expect_goes_on(const std::function<Parts()>& built, int before, int after) 
 }
 
 /// A camera without a target that explores a room.
-Parts exploring(InitializationSettings::Method method) {
+Parts exploring() {
   constexpr std::uint64_t seed = 3;
   RoomSettings settings;
   settings.start_position_m = {0.5, 0, 1.3};
   const Camera camera{WideAngleCamera{}};
   const auto room = std::make_shared<const Room>(settings, seed);
   CameraSlamSettings slam;
-  slam.initialization.method = method;
   slam.map.wanted_visible = 15;
-  slam.bundle.adjust = method == InitializationSettings::Method::inverse_depth;
   Parts parts;
   parts.clock = std::make_unique<FixedRateClock>(30, 100);
   parts.world = std::make_unique<SimulatedWorld>(camera_in_room(settings, room->layout(), seed), seed);
@@ -107,14 +105,7 @@ Parts exploring(InitializationSettings::Method method) {
   return parts;
 }
 
-TEST(SavedParts, ACameraThatExploresARoom) {
-  const auto built = [] { return exploring(InitializationSettings::Method::inverse_depth); };
-  expect_goes_on(built, 25, 20);
-}
-TEST(SavedParts, ACameraWithDepthHypotheses) {
-  const auto built = [] { return exploring(InitializationSettings::Method::depth_line); };
-  expect_goes_on(built, 17, 12);
-}
+TEST(SavedParts, ACameraThatExploresARoom) { expect_goes_on(exploring, 25, 20); }
 
 /// Two robots on the plane that choose where to drive, with or without identities of what they measure.
 Parts driving(DataAssociationSettings::Method association) {

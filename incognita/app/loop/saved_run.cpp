@@ -114,18 +114,29 @@ bool shapes_map(const std::string& key) {
          key == "sensor.sigma_lasting_px" || key.starts_with("estimator.") || key == "map.max_landmarks";
 }
 
-/// Throws InputError that names the first setting that shapes the map and is another one.
-void refuse_other_sensors(const StateFile& file, const LoadedScenario& loaded) {
-  const LoadedScenario saved = scenario_of(file);
-  std::map<std::string, std::string> values;
-  for (const SettingInForce& setting : saved.settings) values[setting.key] = setting.value;
+using SettingValues = std::map<std::string, std::string>;
+
+SettingValues map_settings(const LoadedScenario& loaded) {
+  SettingValues values;
   for (const SettingInForce& setting : loaded.settings)
-    if (const auto before = values.find(setting.key);
-        shapes_map(setting.key) && (before == values.end() || before->second != setting.value))
+    if (shapes_map(setting.key)) values[setting.key] = setting.value;
+  return values;
+}
+
+/// Throws InputError that names the first setting that shapes the map and is another one, or only in one of the scenarios.
+void refuse_other_sensors(const StateFile& file, const LoadedScenario& loaded) {
+  const SettingValues before = map_settings(scenario_of(file)), now = map_settings(loaded);
+  const auto value = [](const SettingValues& values, const std::string& key) {
+    const auto found = values.find(key);
+    return found == values.end() ? std::string("none") : found->second;
+  };
+  SettingValues all = before;
+  all.insert(now.begin(), now.end());
+  for (const auto& [key, either] : all)
+    if (value(now, key) != value(before, key))
       throw InputError(fmt::format(
           "{}: {} = {}: the map of {} was made with {}: a saved map can be used with the same camera and filter only",
-          setting.source, setting.key, setting.value, file.path.string(),
-          before == values.end() ? "another sensor" : before->second));
+          loaded.source_of(key), key, value(now, key), file.path.string(), value(before, key)));
 }
 
 void refuse_change(const std::string& key, const std::string& source) {

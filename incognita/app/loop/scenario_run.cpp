@@ -160,6 +160,15 @@ class Saver {
   std::optional<double> due_t_;
 };
 
+/// Follows the estimate with the observability monitor, if the run has one.
+std::function<void(const Estimate&)> watch_of(RunState& run, const RunCallbacks& callbacks) {
+  if (!run.watch) return {};
+  return [&run, &callbacks](const Estimate& estimate) {
+    run.watch->follow(estimate);
+    if (callbacks.observe) callbacks.observe(*run.watch);
+  };
+}
+
 RunConclusion drive(RunState& run, Saver& saver, RunSink& sink, bool intervenes,
                     const RunCallbacks& callbacks, const Scenario& scenario) {
   RunProgress progress;
@@ -176,19 +185,13 @@ RunConclusion drive(RunState& run, Saver& saver, RunSink& sink, bool intervenes,
     if (!progress.stopped) run.interventions.apply_due(tick);
     return !progress.stopped;
   };
-  std::function<void(const Estimate&)> watching;
-  if (run.watch)
-    watching = [&](const Estimate& estimate) {
-      run.watch->follow(estimate);
-      if (callbacks.observe) callbacks.observe(*run.watch);
-    };
   const auto done = [&] {
     run.ever_tracked = progress.ever_tracked;
     run.ever_measured = progress.ever_measured;
     saver.frame_done();
   };
   try {
-    run_loop(run.parts, run.loop, publish, keep_going, watching, done);
+    run_loop(run.parts, run.loop, publish, keep_going, watch_of(run, callbacks), done);
   } catch (const std::exception& error) {
     if (intervenes) log_failed_tick(progress, run.interventions, sink);
     return {RunStatus::failed,

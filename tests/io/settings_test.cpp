@@ -487,6 +487,30 @@ TEST(LoadScenario, RefusesASectionOfAnotherSensor) {
 }
 
 /// Nothing controls the motion of recorded images.
+/// The box of new landmarks, which is larger by default, is no setting unless they are chosen in it.
+TEST(LoadScenario, TakesASmallCameraWhoseLandmarksAreChosenInNoBox) {
+  const std::string small = "[camera]\nwidth_px = 32\nheight_px = 24\nu0_px = 15.5\nv0_px = 11.5\n";
+  EXPECT_EQ(complaint(small), "");
+  EXPECT_HAS(complaint(small + "[landmark_initialization]\nselection = \"random-box\"\n"),
+             "landmark_initialization.box_width_px");
+}
+
+/// A live run is repeated from what it recorded.
+TEST(ReplayToml, IsTheLiveScenarioWithTheRecordingInPlaceOfTheCamera) {
+  const LoadedScenario live = loaded(
+      free_start + "[world]\ntype = \"live\"\n[live]\nsource = \"/dev/video0\"\n[camera]\nfu_px = 321\n");
+  const Scratch scratch;
+  std::filesystem::create_directories(scratch / "recording");
+  const LoadedScenario replay =
+      load_scenario(scratch.write("replay.toml", replay_toml(live, "recording")).string());
+  EXPECT_TRUE(replay.scenario.is_recording());
+  EXPECT_EQ(replay.scenario.recording.folder, "recording");
+  EXPECT_EQ(replay.scenario.camera.fu_px, 321);
+  for (const SettingInForce& setting : live.settings)
+    if (!setting.key.starts_with("live.") && setting.key != "world.type")
+      EXPECT_TRUE(replay.sources.contains(setting.key)) << setting.key;
+}
+
 TEST(LoadScenario, RefusesAControllerOfRecordedImages) {
   const std::string said = complaint(free_start +
                                      "[world]\ntype = \"recording\"\n[recording]\nfolder = \"x\"\n"

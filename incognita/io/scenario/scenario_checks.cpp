@@ -34,10 +34,12 @@ void check_sizes(const Scenario& s, List& found) {
   const auto fits = [&](const char* key, int size, const char* other, int limit) {
     if (size > limit) found.push_back({key, fmt::format("must be at most {}, which is {}", other, limit)});
   };
-  fits("landmark_initialization.box_width_px", initialization.box_width_px, "camera.width_px",
-       s.camera.width_px);
-  fits("landmark_initialization.box_height_px", initialization.box_height_px, "camera.height_px",
-       s.camera.height_px);
+  if (initialization.selection == InitializationSettings::Selection::random_box) {
+    fits("landmark_initialization.box_width_px", initialization.box_width_px, "camera.width_px",
+         s.camera.width_px);
+    fits("landmark_initialization.box_height_px", initialization.box_height_px, "camera.height_px",
+         s.camera.height_px);
+  }
   fits("map.wanted_visible", s.slam.map.wanted_visible, "map.max_landmarks", s.slam.map.max_landmarks);
   if (s.slam.search.max_measurements > 0)
     fits("health.min_matches", s.slam.health.min_matches, "search.max_measurements",

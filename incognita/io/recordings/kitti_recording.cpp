@@ -8,8 +8,8 @@
 
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/image_file.hpp"
-#include "incognita/io/formats/number_table.hpp"
 #include "incognita/io/formats/image_names.hpp"
+#include "incognita/io/formats/number_table.hpp"
 #include "incognita/io/recordings/recording_formats.hpp"
 #include "incognita/io/recordings/true_poses.hpp"
 #include "incognita/messages/errors.hpp"

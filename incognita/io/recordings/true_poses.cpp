@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "incognita/io/formats/files.hpp"
-#include "incognita/io/formats/number_table.hpp"
 #include "incognita/io/formats/image_names.hpp"
+#include "incognita/io/formats/number_table.hpp"
 #include "incognita/math/quaternion.hpp"
 #include "incognita/messages/errors.hpp"
 

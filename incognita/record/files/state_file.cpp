@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "incognita/messages/errors.hpp"
 #include "incognita/io/bags/input_file.hpp"
+#include "incognita/messages/errors.hpp"
 
 namespace incognita {
 namespace {

@@ -135,6 +135,11 @@ TEST(LiveFeed, EndsAfterItsDurationAndWhenTheRunIsOver) {
   int frames = 0;
   while (f.feed.next()) ++frames;
   EXPECT_EQ(frames, 3);
+  Feed rare({.duration_s = 0.25, .period_s = 0.1, .give_up_s = 20});
+  for (const double t : {50.0, 50.1, 50.3}) rare.source->add(t + 50, t);
+  EXPECT_TRUE(rare.feed.next());
+  EXPECT_TRUE(rare.feed.next());
+  EXPECT_FALSE(rare.feed.next()) << "an image from after the duration is not used, as in a replay";
   Feed over;
   over.feed.end_when([] { return true; });
   EXPECT_FALSE(over.feed.next());

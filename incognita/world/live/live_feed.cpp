@@ -44,7 +44,7 @@ Tick LiveFeed::next() {
     const std::optional<Tick> tick =
         reading ? tick_of(*std::move(reading), now_s) : tick_without_image(now_s);
     if (tick) return *tick;
-    if (!reading && source_->has_ended()) return {};
+    if (is_complete_ || (!reading && source_->has_ended())) return {};
     check_patience(now_s);
   }
   return {};
@@ -72,6 +72,8 @@ void LiveFeed::move_after_saved_run(LiveReading& reading) {
 
 std::optional<Tick> LiveFeed::tick_of(LiveReading reading, double now_s) {
   move_after_saved_run(reading);
+  is_complete_ = first_t_ && duration_s(*first_t_, reading.t, true) >= settings_.duration_s;
+  if (is_complete_) return std::nullopt;
   keep_odometry(reading.odometry);
   if (last_t_ && reading.t <= *last_t_) {
     ++unused_;

@@ -7,6 +7,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "incognita/io/recordings/recorded_images.hpp"
+#include "incognita/io/recordings/video_images.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -117,6 +118,22 @@ TEST(Video, SaysWhatCannotBeRead) {
   write_video(scratch / "clip.mkv", 2, 25);
   EXPECT_HAS(message_of([&] { read_recording(scratch / "clip.mkv", "auto", 30, "*.png"); }),
              "does not apply to the format `video`");
+}
+
+TEST(Video, IsSpreadOverSoManyImages) {
+  const Scratch scratch;
+  write_video(scratch / "clip.mkv", 20, 10);
+  const auto images = open_video_images(scratch / "clip.mkv", 5);
+  EXPECT_EQ(images->count(), 5u);
+  images->skip();
+  for (const int k : {4, 8, 12, 16}) {
+    const auto found = images->next();
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->image(3, 3), shade(k), 1);
+    EXPECT_HAS(found->name, "clip.mkv at ");
+  }
+  EXPECT_FALSE(images->next());
+  EXPECT_EQ(open_video_images(scratch / "clip.mkv", 100)->count(), 20u);
 }
 
 TEST(Video, BecomesTheImagesOfARun) {

@@ -17,6 +17,8 @@
 #include "incognita/io/calibrations/read_calibration.hpp"
 #include "incognita/io/calibrations/write_calibration.hpp"
 #include "incognita/io/formats/image_files.hpp"
+#include "incognita/io/recordings/video.hpp"
+#include "incognita/io/recordings/video_images.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/messages/unfit_setting.hpp"
@@ -118,6 +120,15 @@ std::optional<ChosenBoard> choose_board(const CalibrateOptions& options, ImageSo
   return ChosenBoard{*given, "given"};
 }
 
+constexpr std::size_t most_of_video = 150;  // images that are looked at: finding a board takes some 20 ms
+
+std::unique_ptr<ImageSource> open(const CalibrateOptions& options) {
+  const std::vector<fs::path> paths(options.images.begin(), options.images.end());
+  if (paths.size() == 1 && looks_like_video(paths.front()))
+    return open_video_images(paths.front(), most_of_video);
+  return open_images(paths);
+}
+
 CalibrationViews collect(const BoardSize& board, ImageSource& images) {
   CalibrationViews views(board);
   Progress progress(static_cast<std::int64_t>(images.count()), "images");
@@ -135,8 +146,7 @@ CalibrationViews collect(const BoardSize& board, ImageSource& images) {
 void explain_wrong_board(const CalibrateOptions& options, const CalibrationViews& views,
                          CameraCalibration& calibration) {
   if (views.used() >= least_views || options.board.empty()) return;
-  const std::vector<fs::path> paths(options.images.begin(), options.images.end());
-  const GuessedBoard guess = guess_board(*open_images(paths));
+  const GuessedBoard guess = guess_board(*open(options));
   if (!guess.board || guess.board->is_like(views.board())) return;
   calibration.refusal += fmt::format(
       "; {} shows a board of {} inner corners: use --board {} (corners are counted where four squares meet, not squares)",
@@ -176,12 +186,11 @@ int calibrate(const CalibrateOptions& options) {
   if (!options.convert.empty()) return convert(options);
   if (options.images.empty())
     throw InputError(
-        "calibrate: IMAGES are required: files, or a folder of them; or a calibration file to --convert");
+        "calibrate: IMAGES are required: files, a folder of them, or a video; or a calibration file to --convert");
   const auto output = output_of(options);
-  const std::vector<fs::path> paths(options.images.begin(), options.images.end());
-  const auto board = choose_board(options, *open_images(paths));
+  const auto board = choose_board(options, *open(options));
   if (!board) return refuse_without_board(options);
-  CalibrationViews views = collect(board->size, *open_images(paths));
+  CalibrationViews views = collect(board->size, *open(options));
   CameraCalibration calibration = calibrate_camera(views, settings_of(options, output));
   explain_wrong_board(options, views, calibration);
   refuse_useless_lens(views, calibration);
@@ -207,8 +216,9 @@ CLI::App* add_calibrate(CLI::App& app, std::function<int()>& job) {
       "calibrate",
       "Camera intrinsics from images of a chessboard; converts calibration files of Kalibr, ROS and OpenCV");
   const auto o = std::make_shared<CalibrateOptions>();
-  command->add_option("IMAGES", o->images,
-                      "Images of a chessboard: files, or folders of them; 10 to 20, each tilted differently");
+  command->add_option(
+      "IMAGES", o->images,
+      "Images of a chessboard: files, or folders of them; 10 to 20, each tilted differently; or one video");
   command->add_option("--board", o->board,
                       "Inner corners per row and column, where four squares meet: 9x6 [guessed]");
   command

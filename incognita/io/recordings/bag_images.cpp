@@ -72,7 +72,7 @@ cv::Mat upper_bytes(const bags::ImageMessage& m) {
   return upper;
 }
 
-class BagImages final : public ImageSource {
+class BagImages final : public IndexedImages {
  public:
   BagImages(std::shared_ptr<const bags::Bag> bag, const bags::BagTopic& topic,
             std::vector<bags::BagMessage> messages)
@@ -126,8 +126,8 @@ Image gray_image(const bags::CompressedImageMessage& m) {
   return decode_image(m.data, fmt::format("an image of format `{:.60}`", m.format));
 }
 
-std::shared_ptr<ImageSource> bag_images(std::shared_ptr<const bags::Bag> bag, const bags::BagTopic& topic,
-                                        std::vector<bags::BagMessage> messages) {
+std::shared_ptr<IndexedImages> bag_images(std::shared_ptr<const bags::Bag> bag, const bags::BagTopic& topic,
+                                          std::vector<bags::BagMessage> messages) {
   return std::make_shared<BagImages>(std::move(bag), topic, std::move(messages));
 }
 

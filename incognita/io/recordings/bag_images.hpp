@@ -7,7 +7,7 @@
 
 #include "incognita/io/bags/bag.hpp"
 #include "incognita/io/bags/messages.hpp"
-#include "incognita/io/recordings/image_source.hpp"
+#include "incognita/io/recordings/indexed_images.hpp"
 
 namespace incognita {
 
@@ -20,7 +20,7 @@ Image gray_image(const bags::ImageMessage& message);
 Image gray_image(const bags::CompressedImageMessage& message);
 
 /// Image k is that of message k, one of `topic`. Errors name file and byte.
-std::shared_ptr<ImageSource> bag_images(std::shared_ptr<const bags::Bag> bag, const bags::BagTopic& topic,
-                                        std::vector<bags::BagMessage> messages);
+std::shared_ptr<IndexedImages> bag_images(std::shared_ptr<const bags::Bag> bag, const bags::BagTopic& topic,
+                                          std::vector<bags::BagMessage> messages);
 
 }  // namespace incognita

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "incognita/io/recordings/euroc_camera.hpp"
-#include "incognita/io/recordings/image_source.hpp"
+#include "incognita/io/recordings/indexed_images.hpp"
 #include "incognita/io/scenario/load_scenario.hpp"
 
 namespace incognita {
@@ -30,14 +30,14 @@ struct Recording {
     double t = 0;                 ///< s, increasing
     std::filesystem::path image;  ///< its file; empty where one file holds all images
   };
-  std::string format;                             ///< `images`, `tum`, `euroc`, `kitti`, `video` or `bag`
-  std::filesystem::path folder;                   ///< or the file that holds all images
-  std::vector<RecordedFrame> frames;              ///< at least one
-  std::vector<RecordedPose> truth;                ///< in time order; empty if unknown
-  std::vector<std::string> notes;                 ///< assumptions and ignored data, for printing
-  std::optional<CalibratedCamera> camera;         ///< set if the recording contains its calibration
-  bool whole_us = false;                          ///< all times are whole microseconds: with_rounded_stamps()
-  std::shared_ptr<ImageSource> images = nullptr;  ///< set by read_recording(); frame k is image k
+  std::string format;                      ///< `images`, `tum`, `euroc`, `kitti`, `video` or `bag`
+  std::filesystem::path folder;            ///< or the file that holds all images
+  std::vector<RecordedFrame> frames;       ///< at least one
+  std::vector<RecordedPose> truth;         ///< in time order; empty if unknown
+  std::vector<std::string> notes;          ///< assumptions and ignored data, for printing
+  std::optional<CalibratedCamera> camera;  ///< set if the recording contains its calibration
+  bool whole_us = false;                   ///< all times are whole microseconds: with_rounded_stamps()
+  std::shared_ptr<IndexedImages> images = nullptr;  ///< set by read_recording(); frame k is image k
 };
 
 /// The recording with all stamps rounded to whole microseconds, so that its estimate depends neither on their digits nor on

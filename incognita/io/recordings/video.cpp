@@ -35,7 +35,7 @@ cv::VideoCapture opened(const std::filesystem::path& file) {
 }
 
 /// Decodes forward, and from the start again for an image before the last.
-class VideoImages final : public ImageSource {
+class VideoImages final : public IndexedImages {
  public:
   explicit VideoImages(std::filesystem::path file) : file_(std::move(file)) {}
 

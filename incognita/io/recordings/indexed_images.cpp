@@ -1,4 +1,4 @@
-#include "incognita/io/recordings/image_source.hpp"
+#include "incognita/io/recordings/indexed_images.hpp"
 
 #include <utility>
 
@@ -7,7 +7,7 @@
 namespace incognita {
 namespace {
 
-class ImageFiles final : public ImageSource {
+class ImageFiles final : public IndexedImages {
  public:
   explicit ImageFiles(std::vector<std::filesystem::path> files) : files_(std::move(files)) {}
 
@@ -21,7 +21,7 @@ class ImageFiles final : public ImageSource {
 
 }  // namespace
 
-std::shared_ptr<ImageSource> image_files(std::vector<std::filesystem::path> files) {
+std::shared_ptr<IndexedImages> image_files(std::vector<std::filesystem::path> files) {
   return std::make_shared<ImageFiles>(std::move(files));
 }
 

@@ -15,6 +15,7 @@ class TakenOver final : public Strategy {
 
   void take_over(std::size_t body) { drives_[body] = {}; }
   void give_back(std::size_t body);
+  void give_back_all() { drives_.clear(); }
   /// Throws std::invalid_argument for a body that is not taken over, or shares outside -1 to 1.
   void drive(const DriveBody& drive);
 

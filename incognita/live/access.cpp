@@ -45,8 +45,7 @@ std::string refusal_of(const AccessRequest& request, const AccessRules& rules) {
   if (rules.token.empty() && !is_loopback(host_name(request.host)))
     return "the host " + quoted(request.host) + " is not this machine";
   const auto& allowed = rules.allowed_origins;
-  const bool own = request.origin == "http://" + std::string(request.host) ||
-                   request.origin == "https://" + std::string(request.host);
+  const bool own = request.origin == (request.encrypted ? "https://" : "http://") + std::string(request.host);
   if (!request.origin.empty() && !own &&
       std::find(allowed.begin(), allowed.end(), request.origin) == allowed.end())
     return "a page of " + quoted(request.origin) + " may not connect; allow it with --allow-origin";

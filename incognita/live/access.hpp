@@ -17,6 +17,7 @@ struct AccessRequest {
   std::string_view origin;  ///< header Origin; empty where there is none: not a browser
   std::string_view token;   ///< parameter `token` of the address
   std::string_view site;    ///< header Sec-Fetch-Site, e.g. "same-origin"; empty where there is none
+  bool encrypted = false;   ///< by https
 };
 
 /// Whether an address such as "127.0.0.1" or "::1" reaches this machine only.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cmath>
@@ -26,7 +27,7 @@ double time_in(std::string_view message) {
 nlohmann::json parsed(std::string_view message) { return nlohmann::json::parse(message, nullptr, false); }
 
 /// A name as a browser gives it, for a terminal.
-std::string printable(const std::string& label) {
+std::string name_for_terminal(const std::string& label) {
   std::string shown;
   for (const char c : label.substr(0, 80)) shown += c < ' ' || c > '~' ? '?' : c;
   return shown;
@@ -39,6 +40,7 @@ std::string refused(const std::string& why) {
 }  // namespace
 
 void BrowserCamera::expect(int width_px, int height_px) {
+  images_.clear();  // of an earlier run
   const std::lock_guard lock(mutex_);
   width_px_ = width_px, height_px_ = height_px;
 }
@@ -51,7 +53,7 @@ void BrowserCamera::left(std::uint64_t id) {
   sender_.reset();
   const std::lock_guard lock(mutex_);
   sends_ = false;
-  events_.emplace_back("the camera of the page is gone; open the page again, or press its button");
+  note("the camera of the page is gone; open the page again, or press its button");
 }
 
 void BrowserCamera::received(std::uint64_t id, std::string_view message, bool binary) {
@@ -61,9 +63,10 @@ void BrowserCamera::received(std::uint64_t id, std::string_view message, bool bi
 
 std::string BrowserCamera::refusal_of(std::uint64_t id, std::string_view message) {
   const nlohmann::json hello = parsed(message);
-  const auto number = [&](const char* key) {
-    return hello.is_object() && hello.contains(key) && hello[key].is_number_integer() ? hello[key].get<int>()
-                                                                                      : 0;
+  const auto number = [&](const char* key) -> std::int64_t {
+    constexpr std::int64_t most = 1 << 20;
+    if (!hello.is_object() || !hello.contains(key) || !hello[key].is_number_integer()) return 0;
+    return std::clamp<std::int64_t>(hello[key].get<std::int64_t>(), 0, most);
   };
   if (!hello.is_object() || hello.value("type", nlohmann::json()) != "camera")
     return "the first message must be {\"type\": \"camera\", \"label\", \"width\", \"height\"}";
@@ -85,8 +88,8 @@ void BrowserCamera::greet(std::uint64_t id, std::string_view message) {
   {
     const std::lock_guard lock(mutex_);
     sends_ = true;
-    events_.push_back(
-        fmt::format("images come from the page's camera{}{}", label.empty() ? "" : ": ", printable(label)));
+    note(fmt::format("images come from the page's camera{}{}", label.empty() ? "" : ": ",
+                     name_for_terminal(label)));
   }
   answer(id, R"({"type":"ready"})");
 }
@@ -104,6 +107,14 @@ void BrowserCamera::answer(std::uint64_t id, const std::string& json) {
   LiveMessage message;
   message.body = std::make_shared<const std::string>(json);
   viewers_.at(id)->send(std::move(message));
+}
+
+/// With the mutex held. The oldest make room, and one is not said twice.
+void BrowserCamera::note(std::string event) {
+  constexpr std::size_t most_events = 10;
+  if (!events_.empty() && events_.back() == event) return;
+  if (events_.size() == most_events) events_.erase(events_.begin());
+  events_.push_back(std::move(event));
 }
 
 std::string BrowserCamera::problem() const {

@@ -30,7 +30,7 @@ class BrowserCamera final : public ViewerProtocol {
     std::string jpeg;
   };
 
-  /// The size that the next run needs; a camera of another size is refused.
+  /// A run begins, and needs images of that size; a camera of another size is refused. Images of before are forgotten.
   void expect(int width_px, int height_px);
 
   // From the server's thread:
@@ -53,6 +53,7 @@ class BrowserCamera final : public ViewerProtocol {
   void greet(std::uint64_t id, std::string_view message);
   void take_image(std::uint64_t id, std::string_view message);
   void answer(std::uint64_t id, const std::string& json);
+  void note(std::string event);
   std::string refusal_of(std::uint64_t id, std::string_view message);
 
   Newest<Received> images_;

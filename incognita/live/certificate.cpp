@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <ifaddrs.h>
 #include <net/if.h>
 #include <openssl/evp.h>
@@ -12,10 +13,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <string_view>
 #include <system_error>
 
 #include "incognita/messages/errors.hpp"
@@ -36,6 +39,8 @@ using Key = std::unique_ptr<EVP_PKEY, Release<EVP_PKEY_free>>;
 using X509Certificate = std::unique_ptr<X509, Release<X509_free>>;
 using File = std::unique_ptr<std::FILE, Release<std::fclose>>;
 
+constexpr const char* issuer_prefix = "incognita on ";
+constexpr int least_security_bits = 128;  // those of P-256, which is made here
 constexpr long valid_s = 820L * 24 * 3600, renewed_before_s = 7L * 24 * 3600;
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
@@ -48,11 +53,31 @@ std::string name_of_machine() {
   return gethostname(name.data(), name.size() - 1) == 0 && name[0] ? name.data() : "localhost";
 }
 
-/// "DNS:robot,DNS:localhost,IP:192.168.1.7"
-std::string alternative_names(const std::vector<std::string>& addresses) {
-  std::string names = fmt::format("DNS:{},DNS:localhost,IP:127.0.0.1", name_of_machine());
-  for (const std::string& address : addresses) names += ",IP:" + address;
+struct ServedNames {
+  std::vector<std::string> hosts, addresses;  ///< addresses: numerical IPv4 or IPv6
+};
+
+ServedNames served_names(const std::vector<std::string>& addresses) {
+  ServedNames names{{name_of_machine(), "localhost"}, {"127.0.0.1"}};
+  names.addresses.insert(names.addresses.end(), addresses.begin(), addresses.end());
   return names;
+}
+
+/// "DNS:robot,DNS:localhost,IP:192.168.1.7"
+std::string alternative_names(const ServedNames& names) {
+  return fmt::format("DNS:{},IP:{}", fmt::join(names.hosts, ",DNS:"), fmt::join(names.addresses, ",IP:"));
+}
+
+/// "critical,permitted;DNS:robot,permitted;IP:192.168.1.7/255.255.255.255" (RFC 5280, 4.2.1.10). Phones trust the certificate as an
+/// authority: without it, whoever reads the key could pass for any site.
+std::string name_constraints(const ServedNames& names) {
+  std::string text = fmt::format("critical,permitted;DNS:{}", fmt::join(names.hosts, ",permitted;DNS:"));
+  for (const std::string& address : names.addresses) {
+    const bool is_v6 = address.find(':') != std::string::npos;
+    text += fmt::format(",permitted;IP:{}/{}", address,
+                        is_v6 ? "ffff:ffff:ffff:ffff:ffff:ffff:ffff:ffff" : "255.255.255.255");
+  }
+  return text;
 }
 
 bool add_extension(X509& certificate, int nid, const std::string& value) {
@@ -81,20 +106,31 @@ X509Certificate certificate_for(EVP_PKEY& key, const std::vector<std::string>& a
   X509_gmtime_adj(X509_getm_notBefore(made.get()), -3600);  // clocks differ
   X509_gmtime_adj(X509_getm_notAfter(made.get()), valid_s);
   X509_NAME* name = X509_get_subject_name(made.get());
-  const std::string common = "incognita on " + name_of_machine();
+  const std::string common = issuer_prefix + name_of_machine();
   X509_NAME_add_entry_by_txt(name, "CN", MBSTRING_UTF8,
                              reinterpret_cast<const unsigned char*>(common.substr(0, 64).c_str()), -1, -1, 0);
+  const ServedNames names = served_names(addresses);
   const bool complete = X509_set_issuer_name(made.get(), name) == 1 &&
                         X509_set_pubkey(made.get(), &key) == 1 &&
-                        add_extension(*made, NID_subject_alt_name, alternative_names(addresses)) &&
+                        add_extension(*made, NID_subject_alt_name, alternative_names(names)) &&
                         add_extension(*made, NID_basic_constraints, "critical,CA:TRUE") &&
+                        add_extension(*made, NID_name_constraints, name_constraints(names)) &&
+                        add_extension(*made, NID_key_usage, "critical,digitalSignature,keyCertSign") &&
                         add_extension(*made, NID_ext_key_usage, "serverAuth");
   if (!complete || X509_sign(made.get(), &key, EVP_sha256()) == 0) return nullptr;
   return made;
 }
 
+/// Null if there is no such file. One that cannot be opened may be anybody's, and must not be replaced.
+File open_if_there(const fs::path& path) {
+  File file(std::fopen(path.c_str(), "r"));
+  if (!file && errno != ENOENT)
+    refuse(path, "cannot be read: " + std::error_code(errno, std::generic_category()).message());
+  return file;
+}
+
 X509Certificate read_certificate(const fs::path& path) {
-  const File file(std::fopen(path.c_str(), "r"));
+  const File file = open_if_there(path);
   return X509Certificate(file ? PEM_read_X509(file.get(), nullptr, nullptr, nullptr) : nullptr);
 }
 
@@ -109,10 +145,42 @@ bool names_all(X509& certificate, const std::vector<std::string>& addresses) {
   return true;
 }
 
-bool matches_key(X509& certificate, const fs::path& path) {
-  const File file(std::fopen(path.c_str(), "r"));
-  const Key key(file ? PEM_read_PrivateKey(file.get(), nullptr, nullptr, nullptr) : nullptr);
-  return key && X509_check_private_key(&certificate, key.get()) == 1;
+/// Null if it cannot be read without a password.
+Key read_key(const fs::path& path) {
+  const File file = open_if_there(path);
+  std::array<char, 1> no_password{};
+  return Key(file ? PEM_read_PrivateKey(file.get(), nullptr, nullptr, no_password.data()) : nullptr);
+}
+
+bool is_our_own(const X509& certificate) {
+  std::array<char, 256> issuer{};
+  X509_NAME_get_text_by_NID(X509_get_issuer_name(&certificate), NID_commonName, issuer.data(),
+                            static_cast<int>(issuer.size()));
+  return std::string_view(issuer.data()).starts_with(issuer_prefix);
+}
+
+/// Earlier versions made certificates without.
+bool is_constrained(const X509& certificate) {
+  return X509_get_ext_by_NID(&certificate, NID_name_constraints, -1) >= 0;
+}
+
+bool can_serve(X509& certificate, EVP_PKEY* key, const std::vector<std::string>& addresses) {
+  return is_valid_for_a_week(certificate) && names_all(certificate, addresses) && key &&
+         X509_check_private_key(&certificate, key) == 1;
+}
+
+/// Not the key of an authority without constraints, which phones may still trust: without its key nobody can use it. A key of any
+/// other kind is not from here, or is too weak.
+bool can_sign(EVP_PKEY* key, const X509* old) {
+  return (!old || is_constrained(*old)) && key && EVP_PKEY_is_a(key, "EC") &&
+         EVP_PKEY_get_security_bits(key) >= least_security_bits;
+}
+
+[[noreturn]] void refuse_foreign(const Certificate& found, const std::vector<std::string>& addresses) {
+  throw InputError(fmt::format(
+      "{}: is not a certificate of this program, which leaves it as it is, but it cannot serve the page: it must be valid for a week, name "
+      "the addresses of this machine ({}), and fit the key {}; renew it, or move both files away",
+      found.file.string(), fmt::join(addresses, ", "), found.key.string()));
 }
 
 /// `write` is a function of OpenSSL that writes to a file. Nobody else can read it, from its first byte on.
@@ -156,18 +224,22 @@ fs::path certificate_folder() {
 
 Certificate certificate_in(const fs::path& folder, const std::vector<std::string>& addresses) {
   Certificate out{folder / "certificate.pem", folder / "certificate-key.pem"};
-  if (const auto old = read_certificate(out.file);
-      old && is_valid_for_a_week(*old) && names_all(*old, addresses) && matches_key(*old, out.key))
-    return out;
+  const X509Certificate old = read_certificate(out.file);
+  Key key = read_key(out.key);
+  const bool is_foreign = old && !is_our_own(*old);
+  if (old && can_serve(*old, key.get(), addresses) && (is_foreign || is_constrained(*old))) return out;
+  if (is_foreign) refuse_foreign(out, addresses);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) refuse(folder, error.message());
-  const Key key(EVP_EC_gen("P-256"));
+  const bool keeps_key = can_sign(key.get(), old.get());
+  if (!keeps_key) key.reset(EVP_EC_gen("P-256"));
   const X509Certificate made = key ? certificate_for(*key, addresses) : nullptr;
   if (!made) throw std::runtime_error("OpenSSL could not make a certificate");
-  write_private(out.key, [&](std::FILE* file) {
-    return PEM_write_PrivateKey(file, key.get(), nullptr, nullptr, 0, nullptr, nullptr);
-  });
+  if (!keeps_key)
+    write_private(out.key, [&](std::FILE* file) {
+      return PEM_write_PrivateKey(file, key.get(), nullptr, nullptr, 0, nullptr, nullptr);
+    });
   write_private(out.file, [&](std::FILE* file) { return PEM_write_X509(file, made.get()); });
   out.is_new = true;
   return out;

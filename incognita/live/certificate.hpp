@@ -12,9 +12,11 @@ struct Certificate {
   bool is_new = false;              ///< browsers will ask whether to accept it
 };
 
-/// That in `folder`, if it is valid for a week and names all `addresses` (numerical IPv4 or IPv6); else a new one for these
-/// and the name of this machine, valid for 820 days (phones refuse more than 825). Throws InputError naming file and remedy
-/// if it can be neither read nor written.
+/// That in `folder`, if it is valid for a week, names all `addresses` (numerical IPv4 or IPv6) and fits the key; else a new one for
+/// these and the name of this machine, valid for 820 days (phones refuse more than 825), with the key that is there if it
+/// fits. As an authority it is constrained to these names (RFC 5280, 4.2.1.10), so that its key is of no use for other sites.
+/// Throws InputError naming file and remedy if it can be neither read nor written, and for one of another issuer that does not
+/// serve: that is never replaced.
 Certificate certificate_in(const std::filesystem::path& folder, const std::vector<std::string>& addresses);
 
 /// $XDG_CONFIG_HOME/incognita, else ~/.config/incognita. Throws InputError if neither variable is set.

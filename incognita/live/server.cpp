@@ -247,7 +247,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
   }
 
   void read(Error error) {
-    if (error == http::error::end_of_stream) return close();
+    if (error == http::error::end_of_stream || error == ssl::error::stream_truncated) return close();
     if (error == beast::error::timeout) {
       if (asked_) return;  // a connection that was kept for further requests
       return shared_.log.add("a connection of " + from_ + " was closed: no whole request in " +
@@ -265,10 +265,10 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
     const auto target = parse_target(view_of(request.target()));
     if (!target) return refuse(400, "the address of the request is not valid");
     const HttpRequest asked{target->path, target->query};
-    const std::string why =
-        refusal_of({view_of(request[http::field::host]), view_of(request[http::field::origin]),
-                    asked.parameter("token"), view_of(request["Sec-Fetch-Site"])},
-                   shared_.settings.access);
+    const std::string why = refusal_of(
+        {view_of(request[http::field::host]), view_of(request[http::field::origin]), asked.parameter("token"),
+         view_of(request["Sec-Fetch-Site"]), std::is_same_v<Stream, Encrypted>},
+        shared_.settings.access);
     if (websocket::is_upgrade(request)) return upgrade(request, asked, why);
     if (request.method() != http::verb::get && request.method() != http::verb::head)
       return refuse(405, "only GET is possible");

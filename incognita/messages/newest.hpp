@@ -30,6 +30,13 @@ class Newest {
     return std::exchange(value_, std::nullopt);
   }
 
+  /// Forgets what has not been taken, and the count.
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    value_.reset();
+    dropped_ = 0;
+  }
+
   std::int64_t dropped() const {
     const std::lock_guard lock(mutex_);
     return dropped_;

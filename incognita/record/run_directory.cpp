@@ -20,7 +20,8 @@ constexpr std::array run_files{"effective.toml", "summary.json",
                                "series.mat",     "run.mcap",
                                "surveyed.csv",   "measurements.csv",
                                "adjusted.tum",   "adjusted-whole.tum",
-                               "run.state",      "looks.csv"};  // the last: earlier versions
+                               "run.state",      "replay.toml",
+                               "looks.csv"};  // the last: earlier versions
 
 /// Whether the name is prefix, `digits` or more digits, suffix.
 bool is_numbered(std::string_view name, std::string_view prefix, std::string_view suffix,

@@ -25,13 +25,13 @@ void restore(const std::string& bytes, ObservabilityMonitor& monitor) {
 }
 
 /// A vehicle that drives, measures landmarks, and forgets some of them.
-struct Drive {
+struct SavedDrive {
   Belief belief;
   BlockId vehicle = 0;
   std::vector<BlockId> landmarks;
   std::mt19937_64 random{11};
 
-  Drive() {
+  SavedDrive() {
     vehicle = belief.add_vehicle(Chart::line(3), Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity());
     belief.keep_trace(true);
   }
@@ -67,7 +67,7 @@ TEST(SavedMonitor, GoesOnWithTheSameBits) {
   for (const auto motions :
        {ObservabilityMonitor::Motions::followed, ObservabilityMonitor::Motions::uninformative})
     for (const int steps : {0, 1, 40}) {
-      Drive drive;
+      SavedDrive drive;
       ObservabilityMonitor whole(drive.vehicle, 3, motions), again({});
       whole.treat_as_noise(1000, BlockMatrix::Identity(2, 2));
       for (int k = 0; k < steps; ++k) drive.step(), whole.follow(drive.belief.trace());
@@ -86,7 +86,7 @@ TEST(SavedMonitor, GoesOnWithTheSameBits) {
 }
 
 TEST(SavedMonitor, EveryTruncationIsRefused) {
-  Drive drive;
+  SavedDrive drive;
   ObservabilityMonitor monitor(drive.vehicle, 3), again({});
   for (int k = 0; k < 10; ++k) drive.step(), monitor.follow(drive.belief.trace());
   const std::string bytes = saved(monitor);

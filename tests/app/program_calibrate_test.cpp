@@ -138,12 +138,54 @@ TEST(ProgramCalibrate, UsageErrorsSayWhatToDo) {
   EXPECT_SAYS(refused({"photos", "--model", "omni"}), "--model");
 }
 
+std::string refusal_of(const Words& words) {
+  const Ended ended = calibrate(words);
+  EXPECT_EQ(ended.code, 2) << ended.err;
+  return ended.err;
+}
+
+TEST(ProgramCalibrate, NeverReplacesAScenario) {
+  photographs().write("cam.txt", "fx 420\nfy 420\ncx 320\ncy 240\nwidth 640\nheight 480\n");
+  const auto out = [](const char* file, const std::string& before) {
+    photographs().write(file, before);
+    const std::string why = refusal_of({"--convert", "cam.txt", "--out", file, "--format", "incognita"});
+    EXPECT_EQ(testing::contents(photographs() / file), before);
+    return why;
+  };
+  EXPECT_SAYS(out("mine.toml", "[camera]\nwidth_px = 640\n[loop]\nseed = 1\n"),
+              "--out mine.toml: exists, and has more than the section [camera] (`loop` in line 3)");
+  EXPECT_SAYS(out("mine.toml", "seed = 1\n"),
+              "choose another file with --out, and copy the section [camera]");
+  EXPECT_SAYS(out("mine.toml", "[camera\n"), "--out mine.toml: exists, and cannot be read as a calibration");
+  EXPECT_SAYS(out("notes.txt", "my notes\n"), "--out notes.txt: exists, and cannot be read as a calibration");
+  photographs().write("mine.toml", "base = \"room\"\n");
+  EXPECT_SAYS(refusal_of({"photos", "--out", "mine.toml"}), "(`base` in line 1)");
+  EXPECT_SAYS(refusal_of({"photos", "--out", "mine.toml", "--format", "ros"}), "(`base` in line 1)");
+  photographs().write("mine.toml", "# old\n[camera]\nwidth_px = 320\n");
+  EXPECT_EQ(calibrate({"--convert", "cam.txt", "--out", "mine.toml"}).code, 0);
+  EXPECT_EQ(read_calibration(photographs() / "mine.toml").width_px, 640);
+}
+
+TEST(ProgramCalibrate, RefusesOptionsThatDoNotApply) {
+  photographs().write("cam.txt", "fx 420\nfy 420\ncx 320\ncy 240\nwidth 640\nheight 480\n");
+  EXPECT_SAYS(refusal_of({"--convert", "cam.txt", "--board", "9x6"}),
+              "--board is for a calibration from images");
+  EXPECT_SAYS(refusal_of({"--convert", "cam.txt", "--model", "auto"}),
+              "--model is for a calibration from images");
+  EXPECT_SAYS(refusal_of({"--convert", "cam.txt", "--square", "0.02"}),
+              "--square is for a calibration from images");
+  EXPECT_SAYS(refusal_of({"--convert", "cam.txt", "--json"}), "--json is for a calibration from images");
+  EXPECT_SAYS(refusal_of({"photos", "--camera", "cam1"}), "--camera is for a file to --convert");
+  EXPECT_SAYS(refusal_of({"photos", "--image-size", "320x240"}), "--image-size is for a file to --convert");
+}
+
 TEST(ProgramCalibrate, ConvertsFiles) {
   photographs().write("calib.txt", "P0: 718.856 0 607.1928 0 0 718.856 185.2157 0 0 0 1 0\n");
   const Ended shown = calibrate({"--convert", "calib.txt", "--image-size", "1241x376"});
   EXPECT_EQ(shown.code, 0) << shown.err;
   EXPECT_SAYS(shown.err, "calib.txt: recognized as KITTI calib.txt");
-  EXPECT_SAYS(shown.out, "[camera]\nmodel = \"pinhole\"\nwidth_px = 1241\n");
+  EXPECT_SAYS(shown.out, "[camera]\nmodel = \"pinhole\"\n");
+  EXPECT_SAYS(shown.out, "\nwidth_px = 1241\nheight_px = 376\n");
   const Ended written = calibrate(
       {"--convert", "calib.txt", "--image-size", "1241x376", "--out", "kitti.yaml", "--format", "ros"});
   EXPECT_EQ(written.code, 0) << written.err;

@@ -68,6 +68,7 @@ TEST(ProgramResume, AKilledRunGoesOnFromItsLastSave) {
     ::usleep(static_cast<useconds_t>(30'000 * (kill + 1)));
     program.signal(SIGKILL);
     EXPECT_EQ(program.wait().signal, SIGKILL);
+    std::filesystem::remove_all(scratch / "resumed");
     Program resumed({"run", "--resume", "killed/run.state", "--out", "resumed", "--no-figures"},
                     Circumstances{scratch.folder()});
     ASSERT_TRUE(testing::has_lines(scratch / "resumed/series.csv", 20));

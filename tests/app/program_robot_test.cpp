@@ -31,7 +31,7 @@ TEST(ProgramRobot, ARunThatWaitsForItsRobotCanBeInterrupted) {
   const Scratch scratch;
   Program run({"run", "robot", "--set", "robot.address=ws://127.0.0.1:1", "--out", "out", "--no-figures"},
               {.folder = scratch.folder()});
-  ASSERT_TRUE(has_lines(scratch / "out" / "series.csv", 1));
+  ASSERT_TRUE(has_lines(scratch / "out" / "effective.toml", 10));
   run.signal(SIGINT);
   EXPECT_EQ(run.wait().code, 1);
   EXPECT_EQ(summary_of(scratch / "out")["status"], "interrupted");
@@ -53,6 +53,38 @@ TEST(ProgramRobot, SaysWhichAddressAndWhichScenarioAreWrong) {
   EXPECT_EQ(relay.code, 2);
   EXPECT_SAYS(relay.err, "ssh -L");
   EXPECT_TRUE(everything_in(scratch.folder()).empty());
+}
+
+TEST(ProgramRobot, RefusesToResumeWhereNoRobotWas) {
+  const Scratch scratch;
+  const Ended ended = incognita({"robot", "--resume", "--port", "0", "--duration", "0.1", "--out", "nowhere"},
+                                scratch.folder());
+  EXPECT_EQ(ended.code, 2) << ended.err;
+  EXPECT_SAYS(ended.err, "nowhere: --resume needs the robot.csv");
+  EXPECT_TRUE(everything_in(scratch.folder()).empty());
+}
+
+TEST(ProgramRobot, ARelayRefusesTheOptionsOfASimulation) {
+  const Scratch scratch;
+  const std::vector<std::vector<std::string>> simulations{
+      {"--seed", "1"}, {"--resume"}, {"--set", "run.seed=1"}, {"--out", "out"}, {"explore-terrain"}};
+  for (const auto& options : simulations) {
+    std::vector<std::string> words{"robot",      "--relay", "ws://127.0.0.1:1", "--port", "0",
+                                   "--duration", "0.1"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ended ended = incognita(words, scratch.folder());
+    EXPECT_EQ(ended.code, 2) << options.front();
+    EXPECT_SAYS(ended.err, "--relay");
+  }
+}
+
+TEST(ProgramRobot, ARelayThatEndsDoesNotSaySomebodyStoppedIt) {
+  const Scratch scratch;
+  const Ended ended = incognita({"robot", "--relay", "ws://127.0.0.1:1", "--port", "0", "--duration", "0.1"},
+                                scratch.folder());
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_SAYS(ended.err, "ended\n");
+  EXPECT_EQ(ended.err.find("by hand"), std::string::npos) << ended.err;
 }
 
 TEST(ProgramRobot, ACampaignDrivesNoRobot) {

@@ -33,7 +33,7 @@ TEST(ProgramScenario, RefusesWhatIsInTheFile) {
       {"[run]\nduration_s = -inf\n", {"s.toml:2: run.duration_s = -inf: must be finite"}},
       {"[run]\nrate_hz = \"30\"\n", {"s.toml:2: run.rate_hz = \"30\": must be a number", "and is a text"}},
       {"[world]\ntype = \"rom\"\n",
-       {"s.toml:2: world.type = \"rom\": must be `room`, `points`, `recording` or `robot`",
+       {"s.toml:2: world.type = \"rom\": must be `room`, `points`, `recording`, `live` or `robot`",
         "nearest is `room`"}},
       {"[room]\nsize_m = [6, 6]\n", {"s.toml:2: room.size_m = [6, 6]: must be a list of three numbers"}},
       {"[run]\nseed = 1\nseed = 2\n", {"s.toml:3: not valid TOML: "}},

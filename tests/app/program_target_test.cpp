@@ -28,6 +28,43 @@ TEST(ProgramTarget, PrintsASheetWithItsFile) {
   EXPECT_EQ(read_target(scratch / "target.toml").name, "target");
 }
 
+TEST(ProgramTarget, ReplacesOnlyTargetsOfItsOwn) {
+  const Scratch scratch;
+  const auto print = [&](const char* out) {
+    return testing::incognita({"target", "--print", "--out", out}, scratch.folder());
+  };
+  const auto refused = [&](const char* file) {
+    scratch.write(file, "mine");
+    const Ended ended = print("sheet.pdf");
+    EXPECT_EQ(ended.code, 2) << file;
+    EXPECT_SAYS(ended.err, std::string(file) + ": exists, and is not of a target");
+    EXPECT_EQ(testing::contents(scratch / file), "mine");
+    std::filesystem::remove(scratch / file);
+    EXPECT_TRUE(std::filesystem::is_empty(scratch.folder())) << "something was written";
+  };
+  for (const char* file : {"sheet.toml", "sheet.pdf", "sheet.pgm", "sheet-7.pgm"}) refused(file);
+  EXPECT_EQ(print("sheet.pdf").code, 0);
+  const Ended again = print("sheet");
+  EXPECT_EQ(again.code, 0) << again.err;
+}
+
+TEST(ProgramTarget, RefusesOptionsThatDoNotApply) {
+  const Scratch scratch;
+  const auto refused = [&](const Words& words) {
+    const Ended ended = testing::incognita(words, scratch.folder());
+    EXPECT_EQ(ended.code, 2);
+    return ended.err;
+  };
+  EXPECT_SAYS(refused({"target", "--print", "--size", "0.2x0.1"}),
+              "--size is for a target from a photograph");
+  EXPECT_SAYS(refused({"target", "--print", "--camera", "c.toml"}),
+              "--camera is for a target from a photograph");
+  EXPECT_SAYS(refused({"target", "--print", "--corners", "1,1", "2,1", "2,2", "1,2"}),
+              "--corners is for a target from a photograph");
+  EXPECT_SAYS(refused({"target", "poster.pgm", "--paper", "a4"}), "--paper is for --print");
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.folder()));
+}
+
 class CutByProgram : public ::testing::Test {
  protected:
   CutByProgram() {
@@ -63,11 +100,22 @@ class CutByProgram : public ::testing::Test {
 };
 
 TEST_F(CutByProgram, MakesATargetFile) {
-  const Ended done = cut({"--size", "0.21x0.1485", "--out", "poster"});
+  const Ended done = cut({"--size", "0.21x0.1485", "--out", "wall"});
   EXPECT_EQ(done.code, 0) << done.err;
-  EXPECT_SAYS(done.out, "written: poster.toml, with 4 corners");
+  EXPECT_SAYS(done.out, "written: wall.toml, with 4 corners");
   EXPECT_SAYS(done.err, "without --camera the photograph must be free of distortion");
-  EXPECT_EQ(read_target(scratch_ / "poster.toml").corners[0].position, Eigen::Vector3d(0, 0.105, 0.07425));
+  EXPECT_EQ(read_target(scratch_ / "wall.toml").corners[0].position, Eigen::Vector3d(0, 0.105, 0.07425));
+}
+
+TEST_F(CutByProgram, NeverOverwritesThePhotograph) {
+  const std::string before = testing::contents(scratch_ / "poster.pgm");
+  const Words own_name = {"--size", "0.21x0.1485", "--out", "poster"};
+  EXPECT_SAYS(refused(own_name), "poster.pgm: is the photograph, and would be overwritten");
+  EXPECT_FALSE(std::filesystem::exists(scratch_ / "poster.toml"));
+  scratch_.write("poster.toml", "# Cut by `incognita target` from another.jpg\n");
+  EXPECT_SAYS(refused(own_name), "poster.pgm: is the photograph, and would be overwritten");
+  EXPECT_EQ(testing::contents(scratch_ / "poster.pgm"), before);
+  for (int k = 0; k < 2; ++k) EXPECT_EQ(cut({"--size", "0.21x0.1485", "--out", "wall"}).code, 0);
 }
 
 TEST_F(CutByProgram, ChecksTheCalibration) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 namespace incognita {
 namespace {
 
@@ -42,7 +44,11 @@ struct Driven {
   }
 
   std::shared_ptr<NotedLink> link = std::make_shared<NotedLink>();
-  RobotController controller{std::make_unique<FullSpeed>(), link, {{0.3, 0.3}, 0.5, 1}};
+  std::chrono::steady_clock::time_point now{};
+  RobotController controller{
+      std::make_unique<FullSpeed>(), link, {{0.3, 0.3}, 0.5, 1}, {.period_s = 0.1, .late_s = 0.3}, [this] {
+        return now;
+      }};
   Estimate estimate;
   Observation seen;
   Goal goal;
@@ -65,6 +71,20 @@ TEST(RobotController, StandsAtOnceWhenTheImageIsLateAndAcceleratesAgain) {
   EXPECT_TRUE(d.act().isZero());
   d.seen = seen;
   EXPECT_TRUE(d.act().isApprox(Eigen::Vector2d(0.05, 0.1))) << "from rest";
+}
+
+TEST(RobotController, AcceleratesFromRestAfterAPauseInWhichTheLinkStoppedTheRobot) {
+  Driven d;
+  for (int i = 0; i < 10; ++i) d.act();
+  d.now += std::chrono::milliseconds(250);
+  EXPECT_TRUE(d.act(0.25).isApprox(Eigen::Vector2d(0.3, 0.2))) << "not late: the robot still drives";
+  d.now += std::chrono::milliseconds(301);
+  EXPECT_TRUE(d.act(0.1).isApprox(Eigen::Vector2d(0.05, 0.1))) << "the time of the images does not count";
+}
+
+TEST(RobotController, AGapInTheImagesAllowsNoJump) {
+  Driven d;
+  EXPECT_TRUE(d.act(60).isApprox(Eigen::Vector2d(0.15, 0.2))) << "at most three periods";
 }
 
 TEST(RobotController, StandsWhileItIsLostOrStartingOrStoppedByHand) {

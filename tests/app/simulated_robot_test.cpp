@@ -5,13 +5,18 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <future>
 #include <mutex>
 #include <random>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "incognita/app/loop/linked_robot.hpp"
 #include "incognita/app/robot/robot_relay.hpp"
 #include "incognita/app/robot/robot_server.hpp"
+#include "incognita/record/files/image_text.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -104,10 +109,19 @@ TEST(RobotLog, ItsLastPoseIsWhereTheRobotGoesOn) {
     state.t = 0.1, state.pose = {3, 0, 0};
     log.add_step(state, 2000);
   }
+  EXPECT_EQ(testing::lines(scratch / "truth.tum").size(), 1u);
   EXPECT_EQ(testing::lines(scratch / "robot.csv").size(), 3u) << testing::contents(scratch / "robot.csv");
   EXPECT_EQ(last_pose(scratch.folder()), Eigen::Vector3d(3, 0, 0));
   testing::write(scratch / "robot.csv", "t\nx,y\n");
   EXPECT_HAS(message_of([&] { last_pose(scratch.folder()); }), "robot.csv, line 2");
+  EXPECT_HAS(message_of([&] { RobotLog(scratch.folder(), true); }), "robot.csv, line 1");
+  EXPECT_EQ(testing::contents(scratch / "robot.csv"), "t\nx,y\n") << "left as it is";
+  testing::write(scratch / "robot.csv", "notes");
+  EXPECT_HAS(message_of([&] { RobotLog(scratch.folder(), true); }), "robot.csv, line 1");
+  EXPECT_EQ(testing::contents(scratch / "robot.csv"), "notes");
+  testing::write(scratch / "robot.csv", "t,sta");  // killed while writing the first line
+  RobotLog(scratch.folder(), true);
+  EXPECT_EQ(testing::contents(scratch / "robot.csv"), std::string(RobotLog::columns) + "\n");
   EXPECT_FALSE(last_pose(scratch / "nowhere"));
 }
 
@@ -230,6 +244,152 @@ TEST(RobotRelay, PassesImagesAndCommandsOnAndStopsTheRobotWhenNavigationIsSilent
     const auto rows = commanded_rows(scratch.folder());
     return !rows.empty() && rows.back()[2] == 0;
   }));
+}
+
+/// A robot's rosbridge that notes commands and publishes what the test wants.
+struct StubRobot {
+  StubRobot() {
+    RosbridgeChannelHandlers handlers;
+    handlers.published = [this](std::uint64_t, const rosbridge::Publish& publish) {
+      if (publish.topic == topics.command) speed = ros::twist(publish.msg).twist.linear.x();
+    };
+    channel = std::make_shared<RosbridgeChannel>(types_of(topics), std::move(handlers));
+    server = rosbridge_server({}, channel, [](const std::string&) {});
+  }
+  RobotTopics topics;
+  std::atomic<double> speed = NAN;  ///< of the last command
+  std::shared_ptr<RosbridgeChannel> channel;
+  std::unique_ptr<Server> server;  ///< ends first
+};
+
+/// One who sends what no client of this program would.
+struct RawCommander {
+  explicit RawCommander(std::uint16_t port) : client({parse_websocket_address(at(port).address)}, {}) {
+    client.start();
+  }
+  void command(const std::string& msg) { client.send(to_json(rosbridge::Publish{"/cmd_vel", msg})); }
+  void drive() { command(R"({"linear": {"x": 0.2}})"); }
+  RosbridgeClient client;
+};
+
+RobotRelaySettings before(const StubRobot& robot, double timeout_s) {
+  RobotRelaySettings settings;
+  settings.robot = at(robot.server->port()).address;
+  settings.watchdog = {.timeout_s = timeout_s, .stale_s = timeout_s};
+  return settings;
+}
+
+TEST(RobotRelay, StopsTheRobotInTimeWhileATerminalBlocksItsMessages) {
+  StubRobot robot;
+  std::promise<void> unblocked;
+  const std::shared_future<void> blocked = unblocked.get_future().share();
+  std::atomic<int> said = 0;
+  std::atomic<bool> over = false;
+  RobotRelay relay(before(robot, 0.3), [&](const std::string&) {
+    ++said;
+    blocked.wait();
+  });
+  std::thread thread([&] { relay.run([&] { return over.load(); }); });
+  RawCommander commander(relay.port());
+  EXPECT_TRUE(becomes([&] {
+    commander.drive();
+    return robot.speed == 0.2;
+  }));
+  EXPECT_TRUE(becomes([&] { return said == 1; }));
+  const auto silent_since = std::chrono::steady_clock::now();
+  EXPECT_TRUE(becomes([&] { return robot.speed == 0; }));
+  EXPECT_LT(std::chrono::steady_clock::now() - silent_since, 1s);
+  EXPECT_EQ(relay.reason(), Stop::silence);
+  EXPECT_EQ(said, 1) << "still blocked";
+  over = true;
+  unblocked.set_value();
+  thread.join();
+}
+
+TEST(RobotRelay, ObeysAStopThatIsPublishedOnTheRobot) {
+  StubRobot robot;
+  const RobotRelay relay(before(robot, 10), [](const std::string&) {});
+  RawCommander commander(relay.port());
+  const auto drives = [&] {
+    commander.drive();
+    return relay.reason() == Stop::none && robot.speed == 0.2;
+  };
+  EXPECT_TRUE(becomes(drives));
+  robot.channel->publish(robot.topics.stop, ros::to_json(true));
+  EXPECT_TRUE(becomes([&] { return relay.reason() == Stop::by_hand && robot.speed == 0; }));
+  commander.drive();
+  std::this_thread::sleep_for(100ms);
+  EXPECT_EQ(robot.speed, 0);
+  robot.channel->publish(robot.topics.stop, R"({"data": "garbage"})");
+  robot.channel->publish(robot.topics.stop, ros::to_json(false));
+  EXPECT_TRUE(becomes(drives));
+}
+
+TEST(RobotRelay, StopsOnACommandThatIsNotValid) {
+  StubRobot robot;
+  const RobotRelay relay(before(robot, 10), [](const std::string&) {});
+  RawCommander commander(relay.port());
+  const auto drives = [&] {
+    commander.drive();
+    return relay.reason() == Stop::none && robot.speed == 0.2;
+  };
+  const auto stands = [&] { return relay.reason() == Stop::invalid && robot.speed == 0; };
+  EXPECT_TRUE(becomes(drives));
+  std::this_thread::sleep_for(100ms);  // commands that wait
+  commander.command(R"({"linear": 1})");
+  EXPECT_TRUE(becomes(stands));
+  EXPECT_TRUE(becomes(drives));
+  std::this_thread::sleep_for(100ms);
+  commander.command(R"({"linear": {"x": NaN}})");  // as Python writes it, which is no JSON
+  EXPECT_TRUE(becomes(stands));
+}
+
+TEST(RobotServer, StopsOnACommandThatIsNotValid) {
+  const Scratch scratch;
+  const Running robot(scratch.folder(), {.timeout_s = 10, .stale_s = 10});
+  RawCommander commander(robot.server->port());
+  const auto log_has = [&](const char* state) {
+    return testing::contents(scratch / "robot.csv").find(state) != std::string::npos;
+  };
+  EXPECT_TRUE(becomes([&] {
+    commander.command(R"({"linear": {"x": -0.1}})");
+    return log_has(",driving,");
+  }));
+  commander.command(R"({"linear": {"x": 1e999}})");
+  EXPECT_TRUE(becomes([&] { return log_has(",invalid command,"); }));
+}
+
+TEST(LinkedRobot, KeepsTheOdometryOfAnImageThatCannotBeDecoded) {
+  StubRobot robot;
+  const std::vector<std::string> sets{"robot.address=" + at(robot.server->port()).address};
+  const LoadedScenario loaded = load_scenario("robot", sets);
+  const CameraSettings& camera = loaded.scenario.camera;
+  const std::string good = jpeg(Image(camera.width_px, camera.height_px), 90);
+  std::int64_t stamp_ns = 0;
+  const auto publish = [&](const std::string& data) {
+    ros::Odometry odometry;
+    odometry.header.stamp_ns = (stamp_ns += 1'000'000);
+    robot.channel->publish(robot.topics.odometry, to_json(odometry, 2));
+    robot.channel->publish(robot.topics.image,
+                           to_json(ros::CompressedImage{{stamp_ns, "camera"}, "jpeg", data}, 2));
+  };
+  LinkedRobot link(loaded.scenario);
+  const auto undecoded = [&] {
+    for (const auto& [name, count] : link.counts())
+      if (name == "robot_undecoded_images") return count;
+    return std::int64_t{-1};
+  };
+  ASSERT_TRUE(becomes([&] {
+    publish(good);
+    return link.read(0.05).has_value();
+  }));
+  while (link.read(0.1)) continue;
+  publish("garbage");
+  ASSERT_TRUE(becomes([&] { return link.read(0.1) || undecoded() == 1; }));
+  publish(good);
+  std::optional<LiveReading> reading;
+  ASSERT_TRUE(becomes([&] { return (reading = link.read(0.1)).has_value(); }));
+  EXPECT_EQ(reading->odometry.size(), 2u);
 }
 
 TEST(RobotRelay, GoesOnWhenTheRobotComesLater) {

@@ -25,6 +25,7 @@ incognita_test(target_start_test SOURCES app/target_start_test.cpp USES incognit
 incognita_test(davison_test SOURCES app/davison_test.cpp USES incognita::app opencv_imgproc opencv_core)
 incognita_test(reproduce_test SOURCES app/reproduce_test.cpp
                USES incognita_app_reproduce incognita::experiments CLI11::CLI11 nlohmann_json::nlohmann_json)
+incognita_program_test(program_live_test SOURCES app/program_live_test.cpp USES opencv_core opencv_imgcodecs opencv_videoio)
 # Links modules of the library, like program_recording_test
 incognita_program_test(program_resume_test SOURCES app/program_resume_test.cpp USES incognita::record)
 incognita_program_test(program_ranges_test SOURCES app/program_ranges_test.cpp USES incognita::io incognita::world)

@@ -279,6 +279,9 @@ TEST(TomlCalibration, IsTheCameraOfAScenario) {
   EXPECT_EQ(file.calibrated.camera.fu_px, 517.3);
   expect_lens(file.calibrated.camera, {0.25, 0, 0, 0, 0});
   EXPECT_HAS(notes_of(file), "only its section [camera] is used");
+  EXPECT_EQ(complaint("m.toml", text, {"", {{640, 480}}}), "(none)");
+  EXPECT_HAS(complaint("m.toml", text, {"", {{640, 481}}}),
+             "m.toml: is for images of 640x480 px, and --image-size is 640x481");
   EXPECT_HAS(complaint("m.toml", "[run]\nseed = 3\n"), "m.toml: has no section [camera]");
   EXPECT_HAS(complaint("m.toml", with(text, "k1 =", "kd1 =")),
              "m.toml:9: there is no setting `camera.kd1` with this model; the nearest is `camera.k1`");

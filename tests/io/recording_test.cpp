@@ -183,8 +183,8 @@ TEST(ImageFolder, ListsTheFilesFoundInstead) {
   EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "auto", 30); }),
              "no images in this folder; it has the folders frames");
   EXPECT_HAS(message_of([&] { read_recording(scratch.folder() / "none", "auto", 30); }), "is not a folder");
-  EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "bag", 30); }),
-             "recording.format = bag: must be");
+  EXPECT_HAS(message_of([&] { read_recording(scratch.folder(), "rosbag", 30); }),
+             "recording.format = rosbag: must be");
 }
 
 TEST(TumRecording, ReadsImagesAndTruth) {
@@ -407,7 +407,7 @@ TEST_F(DataFolder, IsSearchedInOrder) {
   EXPECT_HAS(message_of([&] { find_data("mine", scenario, "s.toml:3: recording.folder"); }),
              "s.toml:3: recording.folder: mine is not in the data folder");
   const std::string text = message_of([&] { find_data("mine", scenario, "x"); });
-  EXPECT_HAS(text, "INCOGNITA_DATA is set, so that only this folder is searched");
+  EXPECT_HAS(text, "INCOGNITA_DATA is set, so that only this folder, and that of the scenario, is searched");
   EXPECT_EQ(text.find("Put it under data/"), std::string::npos) << text;
   unsetenv("INCOGNITA_DATA");
   EXPECT_HAS(message_of([&] { find_data("none", scenario, "x"); }),

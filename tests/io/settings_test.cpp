@@ -180,7 +180,7 @@ TEST(Settings, AWrongChoiceIsTheOnlyProblem) {
   };
   const Case cases[] = {
       {"[world]\ntype = \"point\"\n[points]\ncount = 3\n[vehicle]\nmodel = \"ackermann\"\nwheelbase_m = 2\n",
-       "mine.toml:2: world.type = \"point\": must be `room`, `points`, `recording` or `robot`; the nearest is `points`"},
+       "mine.toml:2: world.type = \"point\": must be `room`, `points`, `recording`, `live` or `robot`; the nearest is `points`"},
       {"[world]\ntype = \"points\"\n[vehicle]\nmodel = \"tricycle\"\nwheelbase_m = 2\nfront_m = 1\n",
        "mine.toml:4: vehicle.model = \"tricycle\": must be "},
       {"[start]\nfrom = \"free\"\n[camera]\nmodel = \"fish-eye\"\nk1 = 1\nk4 = 1\n",
@@ -294,7 +294,7 @@ TEST(LoadScenario, RefusesWrongValues) {
       {"run", "rate_hz = true", "run.rate_hz = true: must be a number"},
       {"run", "rate_hz = 2020-01-01", "and is a date or time"},
       {"world", "type = \"rom\"",
-       "world.type = \"rom\": must be `room`, `points`, `recording` or `robot`; the nearest is `room`"},
+       "world.type = \"rom\": must be `room`, `points`, `recording`, `live` or `robot`; the nearest is `room`"},
       {"world", "type = 3", "world.type = 3: must be a text"},
       {"camera", "width_px = -320", "camera.width_px = -320: must be 16 to 16384"},
       {"camera", "width_px = 99999999999999", "camera.width_px = 99999999999999: must be 16 to 16384"},
@@ -489,7 +489,8 @@ TEST(LoadScenario, RefusesASectionOfAnotherSensor) {
 /// Nothing controls the motion of recorded images.
 /// The box of new landmarks, which is larger by default, is no setting unless they are chosen in it.
 TEST(LoadScenario, TakesASmallCameraWhoseLandmarksAreChosenInNoBox) {
-  const std::string small = "[camera]\nwidth_px = 32\nheight_px = 24\nu0_px = 15.5\nv0_px = 11.5\n";
+  const std::string small =
+      free_start + "[camera]\nwidth_px = 32\nheight_px = 24\nu0_px = 15.5\nv0_px = 11.5\n";
   EXPECT_EQ(complaint(small), "");
   EXPECT_HAS(complaint(small + "[landmark_initialization]\nselection = \"random-box\"\n"),
              "landmark_initialization.box_width_px");

@@ -111,7 +111,7 @@ TEST(TruePoses, AreThoseTheScenarioNamesWithItsOffset) {
 /// P0 and P2 as in the benchmark: camera 2 is 6 cm left of camera 0.
 const char* const calib =
     "P0: 700 0 600 0 0 700 180 0 0 0 1 0\nP1: 700 0 600 -380 0 700 180 0 0 0 1 0\n"
-    "P2: 700 0 600 42 0 700 180 0 0 0 1 0\nTr: 0 -1 0 0 0 0 -1 0 1 0 0 0\n";
+    "P2: 700 0 600 42 0 700 180 14 0 0 1 0.01\nTr: 0 -1 0 0 0 0 -1 0 1 0 0 0\n";
 
 void write_kitti(const Scratch& scratch, const std::string& folder, int camera) {
   const std::string images = folder + "/image_" + std::to_string(camera) + "/";
@@ -146,8 +146,12 @@ TEST(KittiRecording, MovesTheTruthToTheCameraInUse) {
   EXPECT_HAS(without.notes.back(), "the truth is that of camera 0, not of camera 2");
   scratch.write("02/calib.txt", calib);
   const Recording recording = read_recording(scratch / "02", "kitti", 30);
-  // x_2 = x_0 + 42/700: camera 2 is at -0.06 m along the x axis of camera 0, which is world y
-  EXPECT_LT((recording.truth.at(1).position - Eigen::Vector3d(1, 2 - 0.06, 3)).norm(), 1e-12);
+  // The center c of camera 2 in camera 0 is where P2 [c; 1] = 0
+  const Eigen::Vector3d center(-(42 - 600 * 0.01) / 700, -(14 - 180 * 0.01) / 700, -0.01);
+  // World x is -y of camera 0, world y is its x
+  EXPECT_LT((recording.truth.at(1).position - Eigen::Vector3d(1 - center.y(), 2 + center.x(), 3 + center.z()))
+                .norm(),
+            1e-12);
 }
 
 TEST(KittiRecording, TakesTheCameraFromItsCalibration) {

@@ -114,7 +114,7 @@ TEST(Video, SaysWhatCannotBeRead) {
   EXPECT_HAS(message_of([&] { read_recording(scratch / "none.mp4", "video", 30); }),
              "none.mp4: is not a file");
   EXPECT_HAS(message_of([&] { read_recording(scratch / "text.txt", "auto", 30); }),
-             "is not a folder; a recording must be a folder or a video");
+             "is not a folder; a recording must be a folder, a video or a bag");
   write_video(scratch / "clip.mkv", 2, 25);
   EXPECT_HAS(message_of([&] { read_recording(scratch / "clip.mkv", "auto", 30, "*.png"); }),
              "does not apply to the format `video`");

@@ -34,6 +34,9 @@ TEST(Access, RefusesPagesOfOtherOrigins) {
   EXPECT_NE(refusal("localhost:8321", "http://localhost:9000"), "");
   EXPECT_NE(refusal("localhost:8321", "https://localhost:8321"), "");
   EXPECT_NE(refusal("localhost:8321", "null"), "");
+  for (const bool encrypted : {false, true})
+    EXPECT_EQ(refusal_of({"localhost:8321", "https://localhost:8321", "", "", encrypted}, {}).empty(),
+              encrypted);
   EXPECT_EQ(refusal("localhost:8321", "https://app.foxglove.dev", "", {"", {"https://app.foxglove.dev"}}),
             "");
 }

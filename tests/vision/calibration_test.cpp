@@ -149,7 +149,8 @@ double normalized_errors(const TrueCamera& camera, LensModel model) {
   return sum;
 }
 
-/// 100 squares, of which many are correlated: 0.6 to 1.5 holds with a probability of 99 %.
+/// 100 squares. If the errors of fu and fv are the same and all others independent, their mean is distributed as
+/// (2 chi2(25) + chi2(50)) / 100, which is 0.6 to 1.5 with a probability of 99.1 %.
 TEST(LensFit, StandardDeviationsAreThoseOfTheErrors) {
   const double pinhole = normalized_errors(true_pinhole, LensModel::pinhole);
   EXPECT_GT(pinhole, 0.6);

@@ -14,7 +14,9 @@ const TIME_BYTES = 8;
  */
 
 export class CameraSocket {
+  /** Images that are encoded, or sent and not yet answered. */
   #underWay = 0;
+  #encoding = false;
   #ready = false;
 
   /**
@@ -28,18 +30,42 @@ export class CameraSocket {
     this.socket.onclose = () => handlers.onClosed();
   }
 
-  /** Whether an image would be on its way at once. */
+  /** Whether an image would be on its way at once. One is encoded at a time, so that images leave in the order in which they were taken. */
   get isFree() {
-    return this.#ready && this.#underWay < MOST_UNDER_WAY && this.socket.readyState === WebSocket.OPEN;
+    return (
+      this.#ready && !this.#encoding && this.#underWay < MOST_UNDER_WAY && this.socket.readyState === WebSocket.OPEN
+    );
   }
 
-  /** @param {number} t s, on any clock of this device @param {Blob} jpeg */
-  async send(t, jpeg) {
+  /**
+   * Sends an image, which counts as under way from now on, unless enough are.
+   * @param {number} t s, on any clock of this device
+   * @param {() => Promise<Blob | null>} encode takes the image at once, and gives its JPEG
+   * @returns {Promise<boolean>} whether it was sent
+   */
+  async send(t, encode) {
+    if (!this.isFree) return false;
     ++this.#underWay;
-    const bytes = new Uint8Array(TIME_BYTES + jpeg.size);
+    this.#encoding = true;
+    let sent = false;
+    try {
+      const jpeg = await encode();
+      sent = jpeg !== null && this.#sendBytes(t, await jpeg.arrayBuffer());
+    } finally {
+      this.#encoding = false;
+      if (!sent) --this.#underWay;
+    }
+    return sent;
+  }
+
+  /** @param {number} t s @param {ArrayBuffer} jpeg @returns {boolean} whether the connection was open */
+  #sendBytes(t, jpeg) {
+    if (this.socket.readyState !== WebSocket.OPEN) return false;
+    const bytes = new Uint8Array(TIME_BYTES + jpeg.byteLength);
     new DataView(bytes.buffer).setFloat64(0, t, true);
-    bytes.set(new Uint8Array(await jpeg.arrayBuffer()), TIME_BYTES);
-    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(bytes);
+    bytes.set(new Uint8Array(jpeg), TIME_BYTES);
+    this.socket.send(bytes);
+    return true;
   }
 
   close() {

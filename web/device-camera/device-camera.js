@@ -18,6 +18,22 @@ export function whyNoCamera(error) {
   return `The camera cannot be used: ${error instanceof Error ? error.message : error}`;
 }
 
+/**
+ * A device that is turned gives images of another size, of another camera model.
+ * @param {number} width px of the images until now @param {number} height @param {number} newWidth @param {number} newHeight
+ */
+function whyTurned(width, height, newWidth, newHeight) {
+  return (
+    `The device was turned: its images are ${newWidth}x${newHeight} px now, and were ${width}x${height} px. ` +
+    'Hold it as before, and start the camera again.'
+  );
+}
+
+/** @param {MediaStream} stream */
+function stopStream(stream) {
+  stream.getTracks().forEach((track) => track.stop());
+}
+
 /** Browsers give the camera only to pages that are encrypted, or of the same machine. */
 export const INSECURE =
   'Browsers give the camera to encrypted pages only: start the program with --https, and open the address that it prints.';
@@ -38,6 +54,8 @@ export class DeviceCamera extends Emitter {
   /** @type {CameraSocket | null} */
   #socket = null;
   #canvas = document.createElement('canvas');
+  /** Grows with each start and stop: what is pending of an earlier start is void. */
+  #starts = 0;
   /** When the images under way were taken, ms on the clock of the page, by their time for the run. @type {Map<number, number>} */
   #takenMs = new Map();
 
@@ -53,19 +71,24 @@ export class DeviceCamera extends Emitter {
    */
   async start({ width, height }, deviceId = '') {
     if (!navigator.mediaDevices) return this.#stopWith(INSECURE);
+    const start = ++this.#starts;
+    const isVoid = () => start !== this.#starts;
     this.#set('starting', 'Waiting for the camera …');
     try {
       const which = deviceId ? { deviceId: { exact: deviceId } } : { facingMode: { ideal: 'environment' } };
-      this.#stream = await navigator.mediaDevices.getUserMedia({
+      const stream = await navigator.mediaDevices.getUserMedia({
         video: { ...which, width: { ideal: width }, height: { ideal: height } },
         audio: false,
       });
-      this.video.srcObject = this.#stream;
+      if (isVoid()) return stopStream(stream);
+      this.#stream = stream;
+      this.video.srcObject = stream;
       await this.video.play();
     } catch (error) {
-      return this.#stopWith(whyNoCamera(error));
+      if (!isVoid()) this.#stopWith(whyNoCamera(error));
+      return;
     }
-    this.#connect();
+    if (!isVoid()) this.#connect();
   }
 
   /** The cameras of this device, with their names once one was used. @returns {Promise<{id: string, name: string}[]>} */
@@ -118,12 +141,20 @@ export class DeviceCamera extends Emitter {
   /** @param {number} takenMs on the clock of the page */
   async #take(takenMs) {
     const socket = this.#socket;
-    if (!socket?.isFree) return void ++this.skipped;
+    if (!socket) return;
+    const { width, height } = this.#canvas;
+    const { videoWidth, videoHeight } = this.video;
+    if (videoWidth !== width || videoHeight !== height) return this.#stopWith(whyTurned(width, height, videoWidth, videoHeight));
+    const wasSent = await socket.send(takenMs / 1000, () => this.#jpeg());
+    if (socket !== this.#socket) return;
+    if (wasSent) ++this.sent;
+    else ++this.skipped;
+  }
+
+  /** The image that the camera shows now. @returns {Promise<Blob | null>} */
+  #jpeg() {
     this.#canvas.getContext('2d')?.drawImage(this.video, 0, 0);
-    const jpeg = await new Promise((resolve) => this.#canvas.toBlob(resolve, 'image/jpeg', JPEG_QUALITY));
-    if (!(jpeg instanceof Blob) || socket !== this.#socket) return;
-    ++this.sent;
-    await socket.send(takenMs / 1000, jpeg);
+    return new Promise((resolve) => this.#canvas.toBlob(resolve, 'image/jpeg', JPEG_QUALITY));
   }
 
   /** @param {number} t s @param {number} runT s */
@@ -141,9 +172,10 @@ export class DeviceCamera extends Emitter {
 
   /** @param {string} words */
   #stopWith(words) {
+    ++this.#starts;
     this.#socket?.close();
     this.#socket = null;
-    this.#stream?.getTracks().forEach((track) => track.stop());
+    if (this.#stream) stopStream(this.#stream);
     this.#stream = null;
     this.video.srcObject = null;
     this.#set('off', words);

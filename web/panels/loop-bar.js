@@ -28,7 +28,12 @@ export function loopBar(session, openNewRun) {
     'aria-label': 'speed',
   });
   const stop = button('Stop', () => session.command({ type: 'stop' }));
-  const stopRobot = button('', () => session.command(robotStop(session.loop).message), { class: 'stop-robot' });
+  // The space key stops the robot when it goes down (shortcuts.js). Some browsers press a focused button when it comes up, which
+  // would release the robot again.
+  const stopRobot = button('', () => session.command(robotStop(session.loop).message), {
+    class: 'stop-robot',
+    onkeyup: (event) => event.key === ' ' && event.preventDefault(),
+  });
   const words = element('span', { class: 'loop-state' });
   const running = element(
     'span',

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,7 +18,9 @@
 #include "incognita/app/console/progress.hpp"
 #include "incognita/io/calibrations/read_calibration.hpp"
 #include "incognita/io/calibrations/write_calibration.hpp"
+#include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/image_files.hpp"
+#include "incognita/io/formats/toml_value.hpp"
 #include "incognita/io/recordings/video.hpp"
 #include "incognita/io/recordings/video_images.hpp"
 #include "incognita/io/scenario/camera.hpp"
@@ -34,16 +38,47 @@ struct CalibrateOptions {
   std::string board, model = "auto", out, format, convert, image_size, camera;
   double square_m = 0;
   bool json = false;
+  std::vector<std::string> given;  ///< the names of the options on the command line
 };
 
+/// Throws InputError for the first option that is given and does not apply.
+void refuse_options(const CalibrateOptions& options, std::initializer_list<const char*> names,
+                    const char* why) {
+  for (const char* name : names)
+    if (std::find(options.given.begin(), options.given.end(), name) != options.given.end())
+      throw InputError(fmt::format("calibrate: {} {}; leave it out", name, why));
+}
+
 // ----------------------------------------------------------------------------------------------------------- the output file
+
+constexpr std::size_t largest_replaced = 1 << 20;  // bytes; a calibration has some hundreds
 
 struct OutputFile {
   fs::path file;
   CalibrationFormat format = CalibrationFormat::incognita;
 };
 
-/// Checked before the work: throws InputError for a folder that does not exist, and a format that is not known.
+/// The written file is a camera alone: it must not take the place of a scenario, or of anything else in TOML.
+void refuse_to_replace(const fs::path& file, CalibrationFormat format) {
+  if (!fs::exists(file) || (file.extension() != ".toml" && format != CalibrationFormat::incognita)) return;
+  const std::string remedy =
+      "it is not replaced: choose another file with --out, and copy the section [camera] from there";
+  TomlTable sections;
+  try {
+    sections = parse_toml(read_file(file, largest_replaced), file.string());
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--out {}: exists, and cannot be read as a calibration ({}); {}",
+                                 file.string(), error.what(), remedy));
+  }
+  for (const TomlEntry& entry : sections)
+    if (entry.key != "camera")
+      throw InputError(
+          fmt::format("--out {}: exists, and has more than the section [camera] (`{}` in line {}); {}",
+                      file.string(), entry.key, entry.line, remedy));
+}
+
+/// Checked before the work: throws InputError for a folder that does not exist, a format that is not known, and a file that must
+/// not be replaced.
 std::optional<OutputFile> output_of(const CalibrateOptions& options) {
   if (options.out.empty() && options.format.empty()) return std::nullopt;
   if (options.out.empty()) throw InputError("calibrate: --format needs the file to write: --out FILE");
@@ -56,6 +91,7 @@ std::optional<OutputFile> output_of(const CalibrateOptions& options) {
     throw InputError(fmt::format(
         "--out {}: the ending tells no format; end it with .toml (incognita) or .yaml, or say --format kalibr, ros, opencv or incognita",
         options.out));
+  refuse_to_replace(file, *format);
   return OutputFile{file, *format};
 }
 
@@ -76,6 +112,8 @@ std::optional<std::pair<int, int>> image_size_of(const CalibrateOptions& options
 
 int convert(const CalibrateOptions& options) {
   if (!options.images.empty()) throw InputError("calibrate: images or --convert, not both");
+  refuse_options(options, {"--board", "--square", "--model", "--json"},
+                 "is for a calibration from images, and --convert reads a file");
   const auto output = output_of(options);
   const CalibrationFile read =
       read_calibration_file(options.convert, {options.camera, image_size_of(options)});
@@ -187,6 +225,8 @@ int calibrate(const CalibrateOptions& options) {
   if (options.images.empty())
     throw InputError(
         "calibrate: IMAGES are required: files, a folder of them, or a video; or a calibration file to --convert");
+  refuse_options(options, {"--camera", "--image-size"},
+                 "is for a file to --convert, and images tell their size themselves");
   const auto output = output_of(options);
   const auto board = choose_board(options, *open(options));
   if (!board) return refuse_without_board(options);
@@ -242,7 +282,11 @@ CLI::App* add_calibrate(CLI::App& app, std::function<int()>& job) {
   command->footer(
       "Examples:\n  incognita calibrate photos/ --square 0.025 --out camera.toml\n  incognita calibrate --convert camchain.yaml --out "
       "camera_info.yaml\n\ndocs/calibrate-a-camera.md says how to take the images.\n");
-  command->callback([o, &job] { job = [o] { return calibrate(*o); }; });
+  command->callback([o, command, &job] {
+    for (const CLI::Option* option : command->get_options())
+      if (option->count() > 0) o->given.push_back(option->get_name());
+    job = [o] { return calibrate(*o); };
+  });
   return command;
 }
 

@@ -111,7 +111,7 @@ std::vector<std::string> check(const LoadedScenario& loaded) {
   };
   const bool images = s.sensor.type == "camera" && !s.is_simulated();
   if (images && s.is_recording()) add(check_images(loaded));
-  const Assembly assembly = assemble(loaded);  // refuses what a run would refuse
+  const Assembly assembly = assemble(loaded, {.is_check_only = true});  // refuses what a run would refuse
   add(assembly.notes);
   if (images && s.start.from == StartSettings::From::target) add(check_target(loaded));
   if (s.is_team())

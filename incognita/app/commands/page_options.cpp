@@ -30,8 +30,9 @@ bool has_desktop() { return std::getenv("DISPLAY") != nullptr || std::getenv("WA
 }  // namespace
 
 void add_access_options(CLI::App& command, PageOptions& options) {
-  command.add_option("--view-address", options.address, "Address to listen at; 0.0.0.0: all of this machine")
-      ->capture_default_str()
+  command
+      .add_option("--view-address", options.address,
+                  "Address to listen at; 0.0.0.0: all of this machine [127.0.0.1]")
       ->type_name("ADDRESS");
   command
       .add_option("--allow-origin", options.allowed_origins,
@@ -47,9 +48,8 @@ void add_access_options(CLI::App& command, PageOptions& options) {
 namespace {
 
 std::string listened_address(const PageOptions& options) {
-  const bool is_default = options.address == PageOptions{}.address;
-  if (options.phone && is_default) return "0.0.0.0";
-  return options.address == "localhost" ? "127.0.0.1" : options.address;
+  const std::string address = options.address.value_or(options.phone ? "0.0.0.0" : "127.0.0.1");
+  return address == "localhost" ? "127.0.0.1" : address;
 }
 
 void encrypt(ServerSettings& settings) {
@@ -57,7 +57,7 @@ void encrypt(ServerSettings& settings) {
   settings.certificate = certificate.file, settings.certificate_key = certificate.key;
   if (certificate.is_new)
     print_message(
-        "view: a certificate for this machine was made, {}: a browser warns of it once on each device, since no authority signed it\n",
+        "view: a certificate for this machine was made, {}: a browser warns of it on each device, since no authority signed it\n",
         certificate.file.string());
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,8 @@
 namespace incognita {
 
 struct PageOptions {
-  std::string port;  ///< empty: any free one
-  std::string address = "127.0.0.1";
+  std::string port;                                   ///< empty: any free one
+  std::optional<std::string> address = std::nullopt;  ///< none: this machine only, with `phone` all
   std::vector<std::string> allowed_origins;
   bool https = false;  ///< encrypted
   bool phone = false;  ///< the same at all addresses, with a QR code

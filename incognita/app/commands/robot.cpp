@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "incognita/app/console/folder_lock.hpp"
@@ -50,16 +49,23 @@ ServerSettings robot_server_settings(const RobotOptions& o) {
 void say_robot(const std::string& line) { print_message("{}\n", line); }
 
 int relay(const RobotOptions& o) {
-  const RobotRelay relay(
+  RobotRelay relay(
       {robot_server_settings(o), *o.relay, o.topics, o.ros, o.stamped, {o.watchdog_s, o.stale_s}}, say_robot);
   print_message("navigation connects to {}\n", relay.address());
   const auto start = std::chrono::steady_clock::now();
-  const auto is_over = [&] {
+  relay.run([&] {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     return interrupted() || (o.duration_s > 0 && passed.count() >= o.duration_s);
-  };
-  while (!is_over()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  });
   return 0;
+}
+
+Eigen::Vector3d pose_to_resume(const std::filesystem::path& folder) {
+  if (const auto pose = last_pose(folder)) return *pose;
+  throw InputError(
+      folder.string() +
+      ": --resume needs the robot.csv of an earlier robot there, with one row at least; name its folder "
+      "with --out, or leave out --resume");
 }
 
 int simulate(const RobotOptions& o) {
@@ -67,9 +73,10 @@ int simulate(const RobotOptions& o) {
   if (o.seed) flags.push_back({"run.seed", *o.seed, "--seed"});
   const LoadedScenario loaded = load_scenario(o.scenario, o.sets, flags);
   const std::filesystem::path out = o.out.value_or("out/" + loaded.name + "-robot");
+  if (o.resume) pose_to_resume(out);  // refused before anything is made
   auto robot = std::make_unique<SimulatedRobot>(loaded, CommandWatchdog::Settings{o.watchdog_s, o.stale_s});
   const FolderLock lock(out);
-  if (const auto pose = o.resume ? last_pose(out) : std::nullopt) robot->put(*pose);
+  if (o.resume) robot->put(pose_to_resume(out));
   RobotServerSettings settings{robot_server_settings(o), o.topics, o.ros, o.speed_factor, o.duration_s};
   RobotServer server(loaded, std::move(robot), RobotLog(out, o.resume), settings, say_robot);
   print_message("the robot is at {}, its log in {}\n", server.address(), out.string());
@@ -103,10 +110,11 @@ CLI::App* add_robot(CLI::App& app, std::function<int()>& job) {
   auto o = std::make_shared<RobotOptions>();
   command->add_option("scenario", o->scenario, "Scenario with a vehicle in the rendered room")
       ->capture_default_str();
-  command
-      ->add_option("--relay", o->relay,
-                   "No simulation: pass everything on to and from the rosbridge server there")
-      ->type_name("ADDRESS");
+  CLI::Option* relay =
+      command
+          ->add_option("--relay", o->relay,
+                       "No simulation: pass everything on to and from the rosbridge server there")
+          ->type_name("ADDRESS");
   command->add_option("--port", o->port, "Port to listen at; 0: any free one [9090, with --relay 9091]")
       ->check(CLI::Range(0, 65535))
       ->type_name("PORT");
@@ -128,7 +136,8 @@ CLI::App* add_robot(CLI::App& app, std::function<int()>& job) {
   command->add_option("--ros", o->ros, "Generation of ROS, 1 or 2, whose messages are written")
       ->check(CLI::Range(1, 2))
       ->capture_default_str();
-  command->add_flag("--stamped", o->stamped, "With --relay: the robot reads TwistStamped instead of Twist");
+  command->add_flag("--stamped", o->stamped, "With --relay: the robot reads TwistStamped instead of Twist")
+      ->needs(relay);
   add_topics(*command, o->topics);
   const auto simulated = "Simulated robot";
   command->add_option("--out", o->out, "Folder of robot.csv and truth.tum [out/<scenario>-robot]")
@@ -145,6 +154,8 @@ CLI::App* add_robot(CLI::App& app, std::function<int()>& job) {
       ->check(CLI::Range(0.1, 10.0))
       ->capture_default_str()
       ->group(simulated);
+  for (const char* option : {"scenario", "--out", "--resume", "--seed", "--set", "--speed-factor"})
+    command->get_option(option)->excludes(relay);
   command->footer(
       "Example: a simulated robot, and navigation in another terminal\n"
       "  incognita robot explore-terrain\n"

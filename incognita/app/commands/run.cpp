@@ -26,6 +26,7 @@
 #include "incognita/app/loop/saved_run.hpp"
 #include "incognita/app/loop/scenario_run.hpp"
 #include "incognita/app/view/live_page.hpp"
+#include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/files/durable_file.hpp"
@@ -123,8 +124,7 @@ void check(const RunOptions& options) {
     throw InputError("the scenario is empty; a file or the name of a built-in one is required");
   if (options.out && options.out->empty()) throw InputError("--out: is empty; a folder is required");
   const PageOptions& page = options.page;
-  if (options.view.empty() &&
-      (page.address != PageOptions{}.address || !page.allowed_origins.empty() || page.https))
+  if (options.view.empty() && (page.address || !page.allowed_origins.empty() || page.https))
     throw InputError("--view-address, --allow-origin and --https: only with --view");
   if (options.replay_commands && !options.view.empty())
     throw InputError("--replay-commands and --view: only one of them at a time");
@@ -232,28 +232,63 @@ bool same_folder(const std::filesystem::path& a, const std::filesystem::path& b)
   return std::filesystem::equivalent(a, b, missing);
 }
 
-/// Never that of the run whose commands are repeated, or which is resumed: its files cannot be had again.
+/// Whether `inner` is `outer` or in it.
+bool is_inside(const std::filesystem::path& inner, const std::filesystem::path& outer) {
+  std::error_code error;
+  const std::filesystem::path a = std::filesystem::weakly_canonical(outer, error),
+                              b = std::filesystem::weakly_canonical(inner, error);
+  return !error && std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first == a.end();
+}
+
+bool holds_recording_of(const std::filesystem::path& out, const LoadedScenario& loaded) {
+  if (!loaded.scenario.is_recording()) return false;
+  try {
+    return is_inside(find_data(loaded.scenario.recording.folder, loaded.file, ""), out);
+  } catch (const InputError&) {
+    return false;  // reported by the reader of the recording
+  }
+}
+
+/// Why a run may not replace the files in that folder; empty if it may.
+std::string why_kept(const std::filesystem::path& out, const RunOptions& options,
+                     const LoadedScenario& loaded) {
+  std::error_code missing;
+  if (options.replay_commands && same_folder(out, *options.replay_commands))
+    return "is the run whose commands are repeated";
+  if (options.resume && same_folder(out, std::filesystem::absolute(*options.resume).parent_path()))
+    return "is the run that is resumed";
+  if (holds_recording_of(out, loaded)) return "holds the recording of this run";
+  if (loaded.scenario.is_live() && std::filesystem::exists(out / "recording", missing))
+    return "holds what a camera saw in an earlier run, which cannot be had again";
+  return "";
+}
+
+/// Never one whose files cannot be had again.
 std::string output_folder(const RunOptions& options, const LoadedScenario& loaded) {
   std::string out = options.out.value_or("out/" + loaded.name);
-  std::filesystem::path earlier;
-  if (options.replay_commands) earlier = *options.replay_commands;
-  if (options.resume) earlier = std::filesystem::absolute(*options.resume).parent_path();
-  if (earlier.empty()) return out;
-  const std::string what = options.resume ? "resumed" : "again";
-  if (options.out && same_folder(out, earlier))
-    throw InputError(fmt::format("--out: {} is the run {}; choose another folder", out,
-                                 options.resume ? "that is resumed" : "whose commands are repeated"));
-  if (options.out) return out;
+  if (options.out) {
+    if (const std::string why = why_kept(out, options, loaded); !why.empty())
+      throw InputError(fmt::format("--out: {} {}; choose another folder", out, why));
+    return out;
+  }
   if (options.resume && !options.relocalize) out += "-resumed";
-  while (same_folder(out, earlier)) out += "-" + what;
+  const std::string first = out;
+  for (int number = 2; !why_kept(out, options, loaded).empty(); ++number)
+    out = loaded.scenario.is_live() ? fmt::format("{}-{}", first, number)
+                                    : out + (options.resume ? "-resumed" : "-again");
   return out;
 }
 
 int exit_code(const RunOutcome& outcome) { return outcome.status == RunStatus::done ? 0 : 1; }
 
-/// Folders of the runs that are started from the page: out/room, out/room-2, ...
-std::string next_folder(const std::string& out, int run) {
-  return run == 1 ? out : fmt::format("{}-{}", out, run);
+/// Folder of a run that is started from the page, out/room-2, out/room-3, ...: the first from `number` on whose files may be
+/// replaced. `first`: the options that the program was started with.
+std::string next_folder(const std::string& out, int& number, const RunOptions& first,
+                        const LoadedScenario& loaded) {
+  std::string folder;
+  do folder = fmt::format("{}-{}", out, number++);
+  while (!why_kept(folder, first, loaded).empty());
+  return folder;
 }
 
 /// Runs until the program is interrupted; each run after the first is started from the page.
@@ -265,11 +300,12 @@ int run_with_page(RunOptions options) {
   print_message("the page is at {}\n{}", page.address(),
                 hint_for_other_machines(options.page, page.address()));
   open_in_browser(page.address());
-  int code = 0;
+  const RunOptions first = options;
+  int code = 0, number = 2;
   for (int run = 1;; ++run) {
     try {
       if (run > 1) loaded = load(options);
-      const std::string folder = next_folder(out, run);
+      const std::string folder = run == 1 ? out : next_folder(out, number, first, loaded);
       page.prepare(
           loaded, [options](const std::vector<std::string>& settings) { return load(options, settings); },
           folder);
@@ -295,6 +331,7 @@ int run(RunOptions options) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed output pipe must not end the run
   if (options.page.phone && options.view.empty()) options.view = {"0"};
   check(options);
+  catch_save_signal();
   if (options.resume) options.saved = std::make_shared<const StateFile>(read_state_file(*options.resume));
   if (!options.view.empty()) {
     options.page.port = options.view.back();

@@ -3,15 +3,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "incognita/app/console/print_message.hpp"
 #include "incognita/io/calibrations/read_calibration.hpp"
+#include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/image_file.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/target_file.hpp"
@@ -28,7 +33,17 @@ struct TargetOptions {
   std::string image, paper = "a4", size, camera, out;
   std::vector<std::string> corners;
   bool print = false;
+  std::vector<std::string> given;  ///< the names of the options on the command line
 };
+
+/// Throws InputError for the first option that is given and does not apply.
+void refuse_unused(const TargetOptions& options, std::initializer_list<const char*> names, const char* why) {
+  for (const char* name : names)
+    if (std::find(options.given.begin(), options.given.end(), name) != options.given.end())
+      throw InputError(fmt::format("target: {} {}; leave it out", name, why));
+}
+
+using NewFiles = std::vector<std::pair<fs::path, std::string>>;  // with their contents
 
 /// Two numbers separated by `separator`.
 Eigen::Vector2d pair_of(const std::string& text, char separator, const std::string& what) {
@@ -42,11 +57,42 @@ Eigen::Vector2d pair_of(const std::string& text, char separator, const std::stri
   throw InputError(fmt::format("{}, and is `{}`", what, text));
 }
 
-/// Writes all files of a target into the folder of `toml`, and reads them as a run will.
-void write_target(const NewTarget& target, const fs::path& toml) {
-  const fs::path folder = toml.parent_path();
+constexpr std::size_t largest_replaced_toml = 1 << 20;  // bytes; a target file has some thousand
+
+bool is_own_target(const fs::path& toml) {
+  return file_exists(toml) && is_written_target(read_file(toml, largest_replaced_toml));
+}
+
+/// Before anything is written: refuses the files of a target whose place another file has. Images beside a target file that this
+/// command wrote are of that target.
+void refuse_to_replace_files(const NewFiles& files, const fs::path& toml, const std::string& image) {
+  const bool is_own = is_own_target(toml);
+  for (const auto& [file, content] : files) {
+    std::error_code none;
+    if (!image.empty() && fs::equivalent(file, image, none))
+      throw InputError(fmt::format(
+          "{}: is the photograph, and would be overwritten; choose another name with --out", file.string()));
+    if (!is_own && fs::exists(fs::symlink_status(file)))
+      throw InputError(fmt::format(
+          "{}: exists, and is not of a target that `incognita target` wrote; choose another name with --out, or move it away",
+          file.string()));
+  }
+}
+
+/// Files of a target in the folder of `toml`.
+NewFiles new_files(const NewTarget& target, const fs::path& toml) {
+  NewFiles files;
   for (const auto& [name, content] : target_files(target, toml.stem().string()))
-    write_durably(folder / name, content);
+    files.emplace_back(toml.parent_path() / name, content);
+  return files;
+}
+
+void write_files(const NewFiles& files) {
+  for (const auto& [file, content] : files) write_durably(file, content);
+}
+
+/// Reads the target as a run will.
+void print_written(const fs::path& toml) {
   const Target read = read_target(toml);
   fmt::print("written: {}, with {} corners and their images beside it\n", toml.string(), read.corners.size());
 }
@@ -72,15 +118,20 @@ fs::path toml_of(const std::string& out) {
 
 int print_target(const TargetOptions& options) {
   if (!options.image.empty()) throw InputError("target: IMAGE or --print, not both");
+  refuse_unused(options, {"--size", "--corners", "--camera"},
+                "is for a target from a photograph, and --print has a size of its own");
   const Paper paper = *paper_of(options.paper);
   const fs::path toml = toml_of(options.out.empty() ? "target.pdf" : options.out);
   fs::path pdf = toml;
   pdf.replace_extension(".pdf");
-  write_durably(pdf, target_pdf(paper));
+  NewFiles files = new_files(printed_target(paper), toml);
+  files.emplace_back(pdf, target_pdf(paper));
+  refuse_to_replace_files(files, toml, "");
+  write_files(files);
   fmt::print(
       "written: {}, {} landscape: print it at 100 % (not `fit to page`), and measure the line of 100 mm\n",
       pdf.string(), paper.name);
-  write_target(printed_target(paper), toml);
+  print_written(toml);
   print_use(toml);
   return 0;
 }
@@ -113,6 +164,7 @@ TargetCut cut_of(const TargetOptions& options, const Image& photograph) {
 
 int cut_from_photograph(const TargetOptions& options) {
   if (options.image.empty()) throw InputError("target: IMAGE is required, or --print for a target to print");
+  refuse_unused(options, {"--paper"}, "is for --print");
   const fs::path toml = toml_of(options.out.empty() ? "target" : options.out);
   Image photograph;
   try {
@@ -126,11 +178,14 @@ int cut_from_photograph(const TargetOptions& options) {
         "target: without --camera the photograph must be free of distortion: straight edges must be straight in it\n");
   try {
     CutTarget made = cut_target(photograph, cut);
-    made.target.comment =
-        fmt::format("Cut from {}, {} m between the corners. Its center is the origin of the world.",
-                    fs::path(options.image).filename().string(), options.size);
+    made.target.comment = fmt::format(
+        "Cut by `incognita target` from {}, {} m between the corners. Its center is the origin of the world.",
+        fs::path(options.image).filename().string(), options.size);
+    const NewFiles files = new_files(made.target, toml);
+    refuse_to_replace_files(files, toml, options.image);
     for (const std::string& note : made.notes) print_message("target: {}\n", note);
-    write_target(made.target, toml);
+    write_files(files);
+    print_written(toml);
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: {}", options.image, error.what()));
   }
@@ -161,8 +216,11 @@ CLI::App* add_target(CLI::App& app, std::function<int()>& job) {
   command->footer(
       "Examples:\n  incognita target --print --out sheet.pdf\n  incognita target poster.jpg --corners 120,80 520,84 515,360 118,350 --size "
       "0.42x0.297 --camera camera.toml --out poster\n\ndocs/start-from-a-target.md has the steps.\n");
-  command->callback(
-      [o, &job] { job = [o] { return o->print ? print_target(*o) : cut_from_photograph(*o); }; });
+  command->callback([o, command, &job] {
+    for (const CLI::Option* option : command->get_options())
+      if (option->count() > 0) o->given.push_back(option->get_name());
+    job = [o] { return o->print ? print_target(*o) : cut_from_photograph(*o); };
+  });
   return command;
 }
 

@@ -7,6 +7,7 @@
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/decision.hpp"
 #include "incognita/io/cameras/video_stream.hpp"
+#include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/world/live/sized_images.hpp"
@@ -18,11 +19,19 @@ double steady_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// A device or an address as it is; a video beside the scenario or under the data folder.
+std::string place_of(const LoadedScenario& loaded) {
+  const std::string& source = loaded.scenario.live.source;
+  if (source.starts_with("/dev/") || source.find("://") != std::string::npos) return source;
+  return find_data(source, loaded.file, loaded.source_of("live.source") + ": live.source").string();
+}
+
 std::shared_ptr<LiveSource> source_of(const LoadedScenario& loaded, const LiveSources& sources) {
   const Scenario& s = loaded.scenario;
+  if (sources.is_check_only) return nullptr;
   if (s.live.source != LiveSettings::browser)
     return std::make_shared<VideoStream>(
-        VideoStreamSettings{s.live.source, s.camera.width_px, s.camera.height_px, s.run.rate_hz});
+        VideoStreamSettings{place_of(loaded), s.camera.width_px, s.camera.height_px, s.run.rate_hz});
   if (sources.browser) return sources.browser;
   throw InputError(fmt::format(
       "{}: live.source = browser: the camera is that of a device which has the page open; run with --view, on a phone with "
@@ -44,6 +53,7 @@ Assembly assemble_live_camera(const LoadedScenario& loaded, const LiveSources& s
   out.live = std::make_shared<LiveFeed>(
       feed, std::make_shared<SizedImages>(source_of(loaded, sources), camera.width(), camera.height()),
       steady_s);
+  if (sources.is_check_only) out.notes.push_back("the camera, " + s.live.source + ", is not tried");
   if (!target) out.notes.emplace_back("no target: the scale is unobservable, lengths are in arbitrary units");
   auto estimator = image_estimator(loaded, camera, target);
   auto strategy = decide_for(*estimator, active_settings_of(s));

@@ -37,7 +37,8 @@ std::unique_ptr<Controller> robot_controller(const LoadedScenario& loaded,
     BodyControl control = body_control_of(loaded, 0, Terrain{});
     control.carried_at = s.mount;
     auto steering = std::make_unique<SteeringController>(std::vector{std::move(control)}, 1 / s.run.rate_hz);
-    return std::make_unique<RobotController>(std::move(steering), link, limits);
+    return std::make_unique<RobotController>(std::move(steering), link, limits,
+                                             CommandPace{1 / s.run.rate_hz, s.robot.late_s});
   });
 }
 

@@ -31,6 +31,7 @@ struct Assembly {
 /// Cameras that the program has besides those that a scenario names.
 struct LiveSources {
   std::shared_ptr<LiveSource> browser = nullptr;  ///< of the page
+  bool is_check_only = false;                     ///< nothing runs: no camera is opened
 };
 
 /// Throws InputError naming file and key or value, e.g. for a sensor that does not fit the vehicle, or a control law or

@@ -30,6 +30,8 @@ class Interventions {
   /// Those that were applied at it.
   const std::vector<Intervention>& taken() const { return taken_; }
 
+  /// Nobody drives by hand any more.
+  void give_back_all() { strategy_->give_back_all(); }
   /// Saves or restores the changes of settings; before the state of the strategy, which depends on them.
   void state(StateArchive& archive);
 

@@ -11,6 +11,8 @@
 namespace incognita {
 namespace {
 
+constexpr std::size_t most_kept = 1000;  // readings of odometry
+
 double seconds_of(std::int64_t stamp_ns) { return rounded_to_us(1e-9 * static_cast<double>(stamp_ns)); }
 
 }  // namespace
@@ -40,10 +42,17 @@ std::optional<LiveReading> LinkedRobot::read(double wait_s) {
   if (!compared_) compare_camera();
   if (!received) return std::nullopt;
   LiveReading reading{seconds_of(received->image.header.stamp_ns), decoded(received->image)};
+  keep(received->odometry);
   if (!reading.image) return std::nullopt;
-  for (const RobotClient::ReceivedOdometry& odometry : received->odometry)
-    reading.odometry.push_back({seconds_of(odometry.stamp_ns), odometry.velocity});
+  reading.odometry = std::exchange(odometry_, {});
   return reading;
+}
+
+void LinkedRobot::keep(const std::vector<RobotClient::ReceivedOdometry>& readings) {
+  for (const RobotClient::ReceivedOdometry& reading : readings)
+    odometry_.push_back({seconds_of(reading.stamp_ns), reading.velocity});
+  if (odometry_.size() > most_kept)
+    odometry_.erase(odometry_.begin(), odometry_.end() - static_cast<std::ptrdiff_t>(most_kept));
 }
 
 std::shared_ptr<const Image> LinkedRobot::decoded(const ros::CompressedImage& compressed) {

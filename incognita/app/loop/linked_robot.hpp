@@ -30,6 +30,7 @@ class LinkedRobot final : public RobotLink {
   std::vector<std::pair<std::string, std::int64_t>> counts() const override;
 
  private:
+  void keep(const std::vector<RobotClient::ReceivedOdometry>& readings);
   std::shared_ptr<const Image> decoded(const ros::CompressedImage& image);
   void compare_camera();
 
@@ -37,6 +38,7 @@ class LinkedRobot final : public RobotLink {
   CameraSettings camera_;
   std::vector<std::string> events_;
   std::int64_t undecoded_ = 0;
+  std::vector<Odometry> odometry_;  ///< of images that could not be decoded, for the next
   bool compared_ = false;
 
   mutable std::mutex mutex_;  ///< of what follows

@@ -1,6 +1,8 @@
 // The controller of a real robot: limits what its own controller commands, and sends it at once, without waiting for the next image.
 #pragma once
 
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -10,11 +12,20 @@
 
 namespace incognita {
 
+/// When commands are expected, s. Without one for `late_s` the link has sent zero by itself, as RobotClientSettings says.
+struct CommandPace {
+  double period_s = 0.1;
+  double late_s = 0.3;
+};
+
 class RobotController final : public Controller {
  public:
   /// `controller`: of one body that takes speed and turn rate. Throws std::invalid_argument for limits that are not positive.
-  RobotController(std::unique_ptr<Controller> controller, std::shared_ptr<RobotLink> link,
-                  const VelocityLimits& limits);
+  /// `now`: a clock that does not jump.
+  RobotController(
+      std::unique_ptr<Controller> controller, std::shared_ptr<RobotLink> link, const VelocityLimits& limits,
+      const CommandPace& pace = {},
+      std::function<std::chrono::steady_clock::time_point()> now = std::chrono::steady_clock::now);
 
   /// The command that was sent. It is zero, at once and whatever the accelerations, while the image of this tick is late, the
   /// robot is stopped by hand, or the state is lost or not known yet; a person who has taken over may drive a lost robot.
@@ -27,7 +38,10 @@ class RobotController final : public Controller {
   std::unique_ptr<Controller> controller_;
   std::shared_ptr<RobotLink> link_;
   VelocityLimits limits_;
+  CommandPace pace_;
+  std::function<std::chrono::steady_clock::time_point()> now_;
   Eigen::Vector2d last_{0, 0};
+  std::optional<std::chrono::steady_clock::time_point> driven_;  ///< when last_ was sent
 };
 
 }  // namespace incognita

@@ -58,7 +58,7 @@ void ObservabilityWatch::state(StateArchive& archive) {
 
 void AssociationScore::state(StateArchive& archive) {
   auto& [truth, landmark_of, right, wrong, missed, duplicate_landmarks] = *this;
-  archive(landmark_of, duplicate_landmarks);
+  archive(landmark_of, right, wrong, missed, duplicate_landmarks);
 }
 
 }  // namespace incognita

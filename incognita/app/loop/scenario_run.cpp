@@ -48,7 +48,9 @@ struct RunProgress {
 RunConclusion conclusion_of(const RunProgress& progress) {
   const Snapshot& last = progress.last;
   if (progress.stopped) return {RunStatus::interrupted, fmt::format("stopped at t = {:.3f} s", last.tick.t)};
-  if (!progress.ever_tracked) return {RunStatus::failed, "never started: " + last.status.reason};
+  if (!progress.ever_tracked)
+    return {RunStatus::failed,
+            "never started: " + (last.status.reason.empty() ? "there was no frame" : last.status.reason)};
   if (last.status.state == TrackingState::lost)
     return {RunStatus::failed, fmt::format("lost at the end: {}", last.status.reason)};
   return {};
@@ -180,12 +182,15 @@ RunConclusion drive(RunState& run, Saver& saver, RunSink& sink, bool intervenes,
     if (run.score) run.score->add(snapshot);
     sink.publish(progress.last);
   };
+  bool in_tick = false;  // the source of images may fail between two ticks, when the state is whole
   const auto keep_going = [&](const Tick& tick) {
     progress.stopped = callbacks.keep_going && !callbacks.keep_going(tick);
+    in_tick = !progress.stopped;
     if (!progress.stopped) run.interventions.apply_due(tick);
     return !progress.stopped;
   };
   const auto done = [&] {
+    in_tick = false;
     run.ever_tracked = progress.ever_tracked;
     run.ever_measured = progress.ever_measured;
     saver.frame_done();
@@ -197,10 +202,10 @@ RunConclusion drive(RunState& run, Saver& saver, RunSink& sink, bool intervenes,
     return {RunStatus::failed,
             fmt::format("at frame {}: {}", progress.last.tick.frame + 1, error.what()),
             {},
-            false};
+            !in_tick};
   }
-  // The clock of a robot ends when the run is to end, without a further tick
-  progress.stopped |= scenario.is_robot() && callbacks.is_over && callbacks.is_over();
+  // The clock of a camera or robot ends when the run is to end, without a further tick
+  progress.stopped |= (scenario.is_robot() || scenario.is_live()) && callbacks.is_over && callbacks.is_over();
   RunConclusion conclusion = conclusion_of(progress);
   conclusion.warnings = warnings_of(progress, scenario);
   return conclusion;
@@ -246,6 +251,7 @@ RunOutcome run_scenario(const LoadedScenario& loaded, const SinkFactory& open,
   LoopState loop;
   RunState run{assembly.parts, loop, interventions, watch ? &*watch : nullptr, score ? &*score : nullptr};
   if (callbacks.saving.resumed) restore_run(*callbacks.saving.resumed, run);
+  if (assembly.robot) interventions.give_back_all();  // who drove a real robot is gone
   if (callbacks.saving.map) restore_map(*callbacks.saving.map, loaded, run);
   Saver saver(loaded, run, callbacks);
   saver.check();

@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "incognita/messages/errors.hpp"
+#include "incognita/record/files/row_file.hpp"
 
 namespace incognita {
 namespace {
@@ -21,13 +25,33 @@ std::vector<std::string> whole_lines(const std::filesystem::path& file) {
   return found;
 }
 
-RowFile opened(const std::filesystem::path& file, const char* header, bool keeps) {
-  const std::vector<std::string> before = keeps ? whole_lines(file) : std::vector<std::string>{};
-  RowFile rows(file, header);
-  for (const std::string& line : before)
-    if (line != header) rows.append(line, 0);
-  rows.flush();
-  return rows;
+/// Length in bytes of the lines that end with a line break. Throws RecordError for a file that cannot be read.
+std::uintmax_t bytes_in_whole_lines(const std::filesystem::path& file) {
+  std::uintmax_t bytes = 0;
+  errno = 0;
+  std::ifstream in(file, std::ios::binary);
+  for (std::string line; std::getline(in, line) && !in.eof();) bytes += line.size() + 1;
+  if (!in.is_open() || in.bad()) throw RecordError(write_failure(file, errno == 0 ? EIO : errno));
+  return bytes;
+}
+
+void cut_incomplete_line(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::uintmax_t whole = bytes_in_whole_lines(file);
+  if (std::filesystem::file_size(file, error) != whole && !error)
+    std::filesystem::resize_file(file, whole, error);
+  if (error) throw RecordError(write_failure(file, error.value()));
+}
+
+/// Throws InputError for a file that does not begin with the header, whole or, if it has no other line, in part.
+void check_header(const std::filesystem::path& file, std::string_view header) {
+  std::string line;
+  std::ifstream in(file, std::ios::binary);
+  std::getline(in, line);
+  if (line == header || (in.eof() && header.starts_with(line))) return;
+  throw InputError(
+      fmt::format("{}, line 1: must be {}; start the robot without --resume, or with another --out",
+                  file.string(), header));
 }
 
 std::filesystem::path made(const std::filesystem::path& folder) {
@@ -39,23 +63,45 @@ std::filesystem::path made(const std::filesystem::path& folder) {
 
 }  // namespace
 
+AddedRows::AddedRows(std::filesystem::path path, std::string_view header, bool keeps)
+    : path_(std::move(path)) {
+  if (keeps && std::filesystem::exists(path_)) {
+    if (!header.empty()) check_header(path_, header);
+    cut_incomplete_line(path_);
+  }
+  errno = 0;
+  out_.open(path_, std::ios::binary | (keeps ? std::ios::app : std::ios::trunc));
+  if (!out_) throw RecordError(write_failure(path_, errno));
+  const bool is_empty = out_.seekp(0, std::ios::end).tellp() == 0;
+  if (is_empty && !header.empty()) add(header);
+  flush();
+}
+
+void AddedRows::add(std::string_view row) { out_ << row << '\n'; }
+
+void AddedRows::flush() {
+  errno = 0;
+  if (out_.flush()) return;
+  const int error = errno == 0 ? ENOSPC : errno;
+  out_.close();
+  cut_incomplete_line(path_);
+  throw RecordError(write_failure(path_, error));
+}
+
 RobotLog::RobotLog(const std::filesystem::path& folder, bool keeps)
-    : steps_(opened(made(folder) / "robot.csv", columns, keeps)),
-      truth_(opened(folder / "truth.tum", "", keeps)) {}
+    : steps_(made(folder) / "robot.csv", columns, keeps), truth_(folder / "truth.tum", "", keeps) {}
 
 void RobotLog::add_step(const RobotState& s, double start_s) {
   const std::string command_t = s.command_t ? fmt::format("{:.6f}", start_s + *s.command_t) : "";
-  steps_.append(fmt::format("{:.6f},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}", start_s + s.t, name(s.reason),
-                            command_t, s.executed[0], s.executed[1], s.pose[0], s.pose[1], s.pose[2]),
-                s.t);
+  steps_.add(fmt::format("{:.6f},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}", start_s + s.t, name(s.reason),
+                         command_t, s.executed[0], s.executed[1], s.pose[0], s.pose[1], s.pose[2]));
 }
 
 void RobotLog::add_image(const RobotState& s, double stamp_s) {
   const Eigen::Vector3d& p = s.camera.position;
   const Eigen::Vector4d& q = s.camera.world_from_body;
-  truth_.append(fmt::format("{:.6f} {:.6f} {:.6f} {:.6f} {:.8f} {:.8f} {:.8f} {:.8f}", stamp_s, p.x(), p.y(),
-                            p.z(), q[1], q[2], q[3], q[0]),
-                s.t);
+  truth_.add(fmt::format("{:.6f} {:.6f} {:.6f} {:.6f} {:.8f} {:.8f} {:.8f} {:.8f}", stamp_s, p.x(), p.y(),
+                         p.z(), q[1], q[2], q[3], q[0]));
 }
 
 void RobotLog::flush() {

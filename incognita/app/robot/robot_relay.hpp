@@ -11,6 +11,7 @@
 #include <string>
 
 #include "incognita/app/robot/robot_server.hpp"
+#include "incognita/live/mailbox.hpp"
 #include "incognita/live/robot/rosbridge_client.hpp"
 #include "incognita/live/robot/watchdog.hpp"
 
@@ -29,6 +30,8 @@ struct RobotRelaySettings {
 class RobotRelay {
  public:
   /// Throws InputError if it cannot listen, or for an address that is not valid.
+  /// `say`: for printing. It may block: it is called by run() and the destructor only, and nothing waits for it that stops the
+  /// robot.
   RobotRelay(const RobotRelaySettings& settings, std::function<void(const std::string&)> say);
   /// Stops the robot.
   ~RobotRelay();
@@ -37,6 +40,8 @@ class RobotRelay {
 
   std::uint16_t port() const { return server_->port(); }
   std::string address() const;
+  /// Says what happens, until `is_over`. Everything else is done in threads of its own, also before.
+  void run(const std::function<bool()>& is_over);
   /// Of the watchdog, now.
   CommandWatchdog::Stop reason() const;
 
@@ -46,13 +51,17 @@ class RobotRelay {
   RosbridgeClientHandlers robot_handlers();
   RosbridgeChannelHandlers navigation_handlers();
   void connected();
-  void obey(std::uint64_t client, const rosbridge::Publish& publish);
+  void received(const rosbridge::Operation& operation);
+  void published(std::uint64_t client, const rosbridge::Publish& publish);
+  void obey(const RobotWish& wish);
   void want(const std::string& topic, const std::string& type, bool wanted);
   void send_velocity();
+  void send(const Eigen::Vector2d& velocity);
 
   RobotRelaySettings settings_;
   std::function<void(const std::string&)> say_;
   Clock::time_point start_ = Clock::now();
+  Mailbox<std::string> messages_{200};  ///< to say
 
   mutable std::mutex mutex_;  ///< of what follows
   CommandWatchdog watchdog_;

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <thread>
 #include <utility>
 
@@ -67,6 +68,28 @@ std::optional<RobotWish> wish_of(std::uint64_t client, const rosbridge::Publish&
   return VelocityWish{client, {command.twist.linear.x(), command.twist.angular.z()}, command.stamp_ns};
 }
 
+RobotWish invalid_command(std::uint64_t client) { return VelocityWish{client, {NAN, NAN}}; }
+
+void carry_out(const RobotWish& wish, double now_s, std::int64_t now_ns, CommandWatchdog& watchdog) {
+  if (const auto* velocity = std::get_if<VelocityWish>(&wish)) {
+    std::optional<double> age_s;
+    if (velocity->stamp_ns) age_s = 1e-9 * static_cast<double>(now_ns - *velocity->stamp_ns);
+    watchdog.command(velocity->velocity, now_s, velocity->client, age_s);
+  } else if (const auto* stop = std::get_if<StopWish>(&wish)) {
+    stop->stop ? watchdog.stop() : watchdog.release();
+  } else if (const auto* unreadable = std::get_if<UnreadableWish>(&wish)) {
+    watchdog.unreadable(unreadable->client);
+  } else {
+    watchdog.disconnected(std::get<CommanderLeft>(wish).client);
+  }
+}
+
+void say_waiting(Mailbox<std::string>& messages, const std::function<void(const std::string&)>& say) {
+  const auto taken = messages.take();
+  if (taken.dropped > 0) say(fmt::format("{} older messages were dropped", taken.dropped));
+  for (const std::string& line : taken.values) say(line);
+}
+
 std::unique_ptr<Server> rosbridge_server(ServerSettings settings,
                                          const std::shared_ptr<RosbridgeChannel>& channel,
                                          std::function<void(const std::string&)> say) {
@@ -95,16 +118,28 @@ RobotServer::RobotServer(const LoadedScenario& loaded, std::unique_ptr<Simulated
       image_period_s_(1 / loaded.scenario.run.rate_hz),
       start_ns_(now_ns()),
       start_(Clock::now()) {
+  channel_ = std::make_shared<RosbridgeChannel>(types_of(settings_.topics), client_handlers());
+  server_ =
+      rosbridge_server(settings_.server, channel_, [this](const std::string& line) { messages_.put(line); });
+}
+
+RosbridgeChannelHandlers RobotServer::client_handlers() {
   RosbridgeChannelHandlers handlers;
   handlers.published = [this](std::uint64_t client, const rosbridge::Publish& publish) {
-    std::optional<RobotWish> wish = wish_of(client, publish, settings_.topics);
+    std::optional<RobotWish> wish;
+    try {
+      wish = wish_of(client, publish, settings_.topics);
+    } catch (const InputError&) {
+      if (publish.topic == settings_.topics.command) wishes_.put({robot_time(), invalid_command(client)});
+      throw;
+    }
     if (!wish)
       throw InputError("topic " + publish.topic.substr(0, 100) + " is not one that this robot reads");
     wishes_.put({robot_time(), *wish});
   };
+  handlers.unreadable = [this](std::uint64_t client) { wishes_.put({robot_time(), UnreadableWish{client}}); };
   handlers.left = [this](std::uint64_t client) { wishes_.put({robot_time(), CommanderLeft{client}}); };
-  channel_ = std::make_shared<RosbridgeChannel>(types_of(settings_.topics), std::move(handlers));
-  server_ = rosbridge_server(settings_.server, channel_, say_);
+  return handlers;
 }
 
 std::string RobotServer::address() const { return "ws" + server_->address().substr(4); }
@@ -118,6 +153,14 @@ std::int64_t RobotServer::stamp_ns() const {
 }
 
 void RobotServer::run(const std::function<bool()>& is_over) {
+  std::future<void> moving = std::async(std::launch::async, [&] { move(is_over); });
+  while (moving.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
+    say_waiting(messages_, say_);
+  say_waiting(messages_, say_);
+  moving.get();
+}
+
+void RobotServer::move(const std::function<bool()>& is_over) {
   const double period_s = image_period_s_ / odometry_per_image;
   const auto has_time = [&] { return settings_.duration_s == 0 || robot_->state().t < settings_.duration_s; };
   for (std::int64_t tick = 0; !is_over() && has_time(); ++tick) {
@@ -139,23 +182,14 @@ void RobotServer::run(const std::function<bool()>& is_over) {
 /// What happened before a wish came happened without it.
 void RobotServer::obey(const Arrived& arrived) {
   advance(arrived.t);
-  CommandWatchdog& watchdog = robot_->watchdog();
-  if (const auto* wish = std::get_if<VelocityWish>(&arrived.wish)) {
-    std::optional<double> age_s;
-    const double now_ns = static_cast<double>(start_ns_) + 1e9 * arrived.t;
-    if (wish->stamp_ns) age_s = 1e-9 * (now_ns - static_cast<double>(*wish->stamp_ns));
-    watchdog.command(wish->velocity, arrived.t, wish->client, age_s);
-  } else if (const auto* stop = std::get_if<StopWish>(&arrived.wish)) {
-    stop->stop ? watchdog.stop() : watchdog.release();
-  } else {
-    watchdog.disconnected(std::get<CommanderLeft>(arrived.wish).client);
-  }
+  carry_out(arrived.wish, arrived.t, start_ns_ + static_cast<std::int64_t>(1e9 * arrived.t),
+            robot_->watchdog());
 }
 
 void RobotServer::advance(double until_s) {
   robot_->advance(until_s, [this](const RobotState& state) {
     log_.add_step(state, 1e-9 * static_cast<double>(start_ns_));
-    if (state.reason != said_) say_(fmt::format("t = {:.2f} s: {}", state.t, name(state.reason)));
+    if (state.reason != said_) messages_.put(fmt::format("t = {:.2f} s: {}", state.t, name(state.reason)));
     said_ = state.reason;
   });
 }

@@ -26,11 +26,21 @@ struct StopWish {
 struct CommanderLeft {
   std::uint64_t client = 0;
 };
-using RobotWish = std::variant<VelocityWish, StopWish, CommanderLeft>;
+/// A message that could not be read at all.
+struct UnreadableWish {
+  std::uint64_t client = 0;
+};
+using RobotWish = std::variant<VelocityWish, StopWish, CommanderLeft, UnreadableWish>;
 
 /// The wish in a message on the topics of a robot; none on another topic. Throws InputError for a message that is not valid.
 std::optional<RobotWish> wish_of(std::uint64_t client, const rosbridge::Publish& publish,
                                  const RobotTopics& topics);
+/// The wish in a message on the command topic that is not valid: the robot stops.
+RobotWish invalid_command(std::uint64_t client);
+/// Tells the watchdog, at `now_s` on its clock and `now_ns` on that of the stamps.
+void carry_out(const RobotWish& wish, double now_s, std::int64_t now_ns, CommandWatchdog& watchdog);
+/// Says all that waits, and how much was dropped before.
+void say_waiting(Mailbox<std::string>& messages, const std::function<void(const std::string&)>& say);
 /// Known topics of a robot, with their types.
 std::map<std::string, std::string> types_of(const RobotTopics& topics);
 /// A server of rosbridge clients. Throws InputError if it cannot listen.
@@ -49,13 +59,14 @@ struct RobotServerSettings {
 
 class RobotServer {
  public:
-  /// `say`: for printing. Throws InputError if it cannot listen.
+  /// `say`: for printing. It may block: run() calls it in the thread that calls run(), and the robot moves in another. Throws
+  /// InputError if it cannot listen.
   RobotServer(const LoadedScenario& loaded, std::unique_ptr<SimulatedRobot> robot, RobotLog log,
               const RobotServerSettings& settings, std::function<void(const std::string&)> say);
 
   std::uint16_t port() const { return server_->port(); }
   std::string address() const;
-  /// Until `is_over`, or the duration.
+  /// Until `is_over`, which is asked in another thread, or the duration.
   void run(const std::function<bool()>& is_over);
 
  private:
@@ -64,6 +75,8 @@ class RobotServer {
     double t = 0;  ///< of the robot
     RobotWish wish;
   };
+  RosbridgeChannelHandlers client_handlers();
+  void move(const std::function<bool()>& is_over);
   double robot_time() const;
   void advance(double until_s);
   void obey(const Arrived& arrived);
@@ -80,6 +93,7 @@ class RobotServer {
   std::int64_t start_ns_;  ///< since 1970, of the robot's time 0
   Clock::time_point start_;
   Mailbox<Arrived> wishes_{100000};
+  Mailbox<std::string> messages_{200};  ///< to say
   CommandWatchdog::Stop said_ = CommandWatchdog::Stop::no_command;
   std::shared_ptr<RosbridgeChannel> channel_;
   std::unique_ptr<Server> server_;  ///< ends first

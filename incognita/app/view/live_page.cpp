@@ -1,6 +1,7 @@
 #include "incognita/app/view/live_page.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -34,6 +35,24 @@ std::optional<HttpAnswer> certificate_answer(const std::filesystem::path& file) 
                     "application/x-x509-ca-cert",
                     std::make_shared<const std::string>(read_file(file, largest_certificate)),
                     {}};
+}
+
+/// Whether a setting names a file, a device or an address.
+bool names_place(const SettingInForce& setting) {
+  constexpr std::array others{"recording.folder", "recording.truth", "live.source", "robot.address"};
+  return setting.names_file || std::find(others.begin(), others.end(), setting.key) != others.end();
+}
+
+/// A viewer names no place but those of the program's own scenario, and its own camera.
+void refuse_other_places(const LoadedScenario& asked, const std::map<std::string, std::string>& trusted) {
+  for (const SettingInForce& setting : asked.settings) {
+    if (setting.source != "--set" || !names_place(setting)) continue;
+    const auto known = trusted.find(setting.key);
+    const bool is_own_camera = setting.key == "live.source" && setting.value == "\"browser\"";
+    if (is_own_camera || (known != trusted.end() && known->second == setting.value)) continue;
+    throw InputError(setting.key +
+                     ": names a file, a device or an address, which only who starts the program may choose");
+  }
 }
 
 std::vector<std::string> settings_of(const HttpRequest& request) {
@@ -73,11 +92,19 @@ std::shared_ptr<LiveSource> LivePage::camera() const { return std::make_shared<P
 void LivePage::prepare(const LoadedScenario& loaded, Reload reload, const std::filesystem::path& directory) {
   const std::lock_guard lock(mutex_);
   reload_ = std::move(reload);
+  trust_places_of(loaded);
   current_.emplace();
   current_->loaded = loaded;
   current_->directory = directory;
   const CameraSettings& camera = loaded.scenario.camera;
   camera_->expect(camera.width_px, camera.height_px);
+}
+
+/// Those of the first run are what the program was started with.
+void LivePage::trust_places_of(const LoadedScenario& loaded) {
+  const std::lock_guard lock(trusted_mutex_);
+  if (!trusted_.empty()) return;
+  for (const SettingInForce& setting : loaded.settings) trusted_[setting.key] = setting.value;
 }
 
 void LivePage::begin(const RunInfo& info, std::int64_t frames) {
@@ -150,7 +177,10 @@ LoadedScenario LivePage::load_for_viewer(const std::string& scenario,
   if (scenario != scenario_ && std::find(built_in.begin(), built_in.end(), scenario) == built_in.end())
     throw InputError(scenario.substr(0, 100) +
                      ": is no built-in scenario, nor the one that the program was started with");
-  return load_scenario(scenario, settings);
+  LoadedScenario loaded = load_scenario(scenario, settings);
+  const std::lock_guard lock(trusted_mutex_);
+  refuse_other_places(loaded, trusted_);
+  return loaded;
 }
 
 /// In the server's thread. A run that could not start is refused here already, as far as its settings say.

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -67,9 +68,12 @@ class LivePage final : public InterventionSource {
     std::shared_ptr<SeriesHistory> history;
   };
 
+  void trust_places_of(const LoadedScenario& loaded);
   LoadedScenario load_for_viewer(const std::string& scenario, const std::vector<std::string>& settings) const;
 
   const std::string scenario_;
+  mutable std::mutex trusted_mutex_;
+  std::map<std::string, std::string> trusted_;  ///< settings of the first run, by key
   LiveControl control_;
   std::shared_ptr<PageChannel> channel_;
   std::shared_ptr<BrowserCamera> camera_;

@@ -9,6 +9,14 @@
 
 namespace incognita {
 
+void check_size(const CameraSettings& camera, const std::filesystem::path& file,
+                const CalibrationRequest& request) {
+  const auto& wanted = request.image_size_px;
+  if (wanted && (wanted->first != camera.width_px || wanted->second != camera.height_px))
+    throw InputError(fmt::format("{}: is for images of {}x{} px, and --image-size is {}x{}", shown(file),
+                                 camera.width_px, camera.height_px, wanted->first, wanted->second));
+}
+
 void set_size(CameraSettings& camera, const std::filesystem::path& file,
               std::optional<std::pair<double, double>> in_file, const CalibrationRequest& request) {
   if (!in_file && !request.image_size_px)
@@ -22,10 +30,7 @@ void set_size(CameraSettings& camera, const std::filesystem::path& file,
     throw InputError(fmt::format("{}: the image is {}x{} px, and must be of whole pixels, 1 to 1e5",
                                  shown(file), size.first, size.second));
   camera.width_px = static_cast<int>(size.first), camera.height_px = static_cast<int>(size.second);
-  const auto& wanted = request.image_size_px;
-  if (wanted && (wanted->first != camera.width_px || wanted->second != camera.height_px))
-    throw InputError(fmt::format("{}: is for images of {}x{} px, and --image-size is {}x{}", shown(file),
-                                 camera.width_px, camera.height_px, wanted->first, wanted->second));
+  check_size(camera, file, request);
 }
 
 std::string set_lens(CameraSettings& camera, bool fisheye, const std::vector<double>& coefficients) {

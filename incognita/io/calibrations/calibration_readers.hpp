@@ -12,6 +12,10 @@
 
 namespace incognita {
 
+/// Refuses a size that differs from the requested one.
+void check_size(const CameraSettings& camera, const std::filesystem::path& file,
+                const CalibrationRequest& request);
+
 /// Sets width and height from the file, or from the request where the file has none; refuses two that differ.
 void set_size(CameraSettings& camera, const std::filesystem::path& file,
               std::optional<std::pair<double, double>> in_file, const CalibrationRequest& request);

@@ -29,6 +29,17 @@ CalibrationFile read_yaml(const YamlMap& map, const std::filesystem::path& file,
       fmt::format("{}: has none of the keys of a calibration; known are {}", shown(file), known_formats));
 }
 
+CalibrationFile read_any(const std::filesystem::path& file, const CalibrationRequest& request) {
+  const std::string text = read_file(file, largest_calibration);
+  if (file.extension() == ".toml") return read_camera_table(text, file);
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  if (first == std::string::npos) throw InputError(shown(file) + ": is empty");
+  if (text[first] == '<') return read_yaml(YamlMap(file, opencv_xml_as_yaml(file, text)), file, request);
+  if (is_plain(text)) return read_plain(text, file, request);
+  if (is_kitti(text)) return read_kitti(text, file, request);
+  return read_yaml(YamlMap(file, text), file, request);
+}
+
 template <class Number>
 void check_limits(const CalibratedCamera& calibrated, Number value, const char* key, const Limits& limits) {
   const double number = static_cast<double>(value);
@@ -62,14 +73,9 @@ const char* name_of(CalibrationFormat format) {
 }
 
 CalibrationFile read_calibration_file(const std::filesystem::path& file, const CalibrationRequest& request) {
-  const std::string text = read_file(file, largest_calibration);
-  if (file.extension() == ".toml") return read_camera_table(text, file);
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  if (first == std::string::npos) throw InputError(shown(file) + ": is empty");
-  if (text[first] == '<') return read_yaml(YamlMap(file, opencv_xml_as_yaml(file, text)), file, request);
-  if (is_plain(text)) return read_plain(text, file, request);
-  if (is_kitti(text)) return read_kitti(text, file, request);
-  return read_yaml(YamlMap(file, text), file, request);
+  const CalibrationFile found = read_any(file, request);
+  if (found.calibrated.unfit.empty()) check_size(found.calibrated.camera, file, request);
+  return found;
 }
 
 void check_calibrated(const CalibratedCamera& calibrated) {

@@ -28,7 +28,8 @@ const char* name_of(CalibrationFormat format);
 
 struct CalibrationRequest {
   std::string camera;  ///< of a file with several: "cam1", "P2"; empty: the first one
-  std::optional<std::pair<int, int>> image_size_px;  ///< width and height, for files that do not have them
+  std::optional<std::pair<int, int>>
+      image_size_px;  ///< width and height, for files without them; others must agree
 };
 
 struct CalibrationFile {

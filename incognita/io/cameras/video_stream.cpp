@@ -82,7 +82,7 @@ VideoStream::~VideoStream() {
 /// A camera that is gone, and a stream that is cut, are opened again as soon as that is possible.
 void VideoStream::follow() {
   while (!stop_) {
-    if (!grab_until_it_fails() || stop_) break;
+    if (!fails() || stop_) break;
     if (!gone_.exchange(true))
       note(fmt::format("{}: gives no image any more; trying again", settings_.source));
     capture_->video.release();
@@ -91,6 +91,16 @@ void VideoStream::follow() {
     if (!stop_) note(fmt::format("{}: gives images again", settings_.source)), gone_ = false;
   }
   ended_ = capture_->is_file;
+}
+
+/// An image that cannot be used is the end of a stream, too.
+bool VideoStream::fails() {
+  try {
+    return grab_until_it_fails();
+  } catch (const std::exception& error) {  // also cv::Exception
+    note(fmt::format("{}: {}", settings_.source, error.what()));
+    return !capture_->is_file;
+  }
 }
 
 /// False at the end of a file, which is played in its own time.

@@ -38,6 +38,7 @@ class VideoStream final : public LiveSource {
  private:
   struct Capture;
   void follow();
+  bool fails();
   bool grab_until_it_fails();
   void wait_for(double s) const;
   void note(std::string event);

@@ -54,7 +54,7 @@ std::string chosen_folder() {
 
 std::string remedy() {
   if (chosen_folder().empty()) return "Put it under data/, or set INCOGNITA_DATA to the folder that has it.";
-  return "INCOGNITA_DATA is set, so that only this folder is searched: put it there, set INCOGNITA_DATA to "
+  return "INCOGNITA_DATA is set, so that only this folder, and that of the scenario, is searched: put it there, set INCOGNITA_DATA to "
          "the "
          "folder that has it, or unset it to use data/.";
 }

@@ -79,6 +79,9 @@ std::optional<CalibratedCamera> calibrated_camera(const bags::CameraInfoMessage&
   return found;
 }
 
-bool has_rectified_images(const std::string& topic) { return topic.find("rect") != std::string::npos; }
+bool has_rectified_images(const std::string& topic) {
+  const std::size_t last = topic.rfind("/image");  // /camera/image_rect_color/compressed
+  return last != std::string::npos && topic.compare(last, 11, "/image_rect") == 0;
+}
 
 }  // namespace incognita

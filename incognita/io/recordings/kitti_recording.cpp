@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -115,7 +116,10 @@ void read_truth(const fs::path& folder, int camera, Recording& recording) {
         "the truth is that of camera 0, not of camera {}: there is no P{} in calib.txt", camera, camera));
     return;
   }
-  const Eigen::Vector3d in_camera_0(-(*p)[3] / (*p)[0], 0, 0);
+  // P = K [I | -center], rows one after the other
+  const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> P =
+      Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(p->data());
+  const Eigen::Vector3d in_camera_0 = -P.leftCols<3>().inverse() * P.col(3);
   for (RecordedPose& pose : recording.truth)
     pose.position += rotation_matrix(pose.world_from_camera) * in_camera_0;
 }

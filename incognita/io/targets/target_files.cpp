@@ -50,4 +50,9 @@ std::vector<std::pair<std::string, std::string>> target_files(const NewTarget& t
   return files;
 }
 
+bool is_written_target(std::string_view toml) {
+  const std::string_view first = toml.substr(0, toml.find('\n'));
+  return first.starts_with("# ") && first.find("`incognita target") != std::string_view::npos;
+}
+
 }  // namespace incognita

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct NewTarget {
     Image patch;     ///< odd square, the corner is its center pixel
     Eigen::Vector2d picture_px;  ///< in the picture, the center of the first pixel is (0, 0)
   };
-  std::string comment;  ///< lines without comment sign
+  std::string comment;  ///< lines without comment sign; the first one names `incognita target`, its program
   std::vector<Corner> corners;
   Image picture;  ///< frontal, with square pixels
 };
@@ -26,5 +27,8 @@ struct NewTarget {
 /// its printed side towards -x, so that a camera that looks along +x sees it upright.
 std::vector<std::pair<std::string, std::string>> target_files(const NewTarget& target,
                                                               const std::string& name);
+
+/// Whether the text of a .toml file begins with the comment of a target that `incognita target` wrote.
+bool is_written_target(std::string_view toml);
 
 }  // namespace incognita

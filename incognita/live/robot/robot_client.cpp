@@ -39,16 +39,17 @@ RosbridgeClientHandlers RobotClient::handlers() {
     if (const auto* status = std::get_if<rosbridge::Status>(&operation))
       note(fmt::format("the robot says: {}: {}", status->level, status->msg.substr(0, 300)));
   };
-  handlers.heartbeat = [this] { send_velocity(); };
+  handlers.heartbeat = [this] {
+    const std::lock_guard lock(mutex_);
+    send_velocity();
+  };
   handlers.say = [this](const std::string& line) { note(line); };
   return handlers;
 }
 
 RobotClient::~RobotClient() {
-  {
-    const std::lock_guard lock(mutex_);
-    velocity_.setZero();
-  }
+  const std::lock_guard lock(mutex_);
+  velocity_.setZero();
   send_velocity();
 }
 
@@ -71,8 +72,14 @@ void RobotClient::subscribe() {
   if (!t.stop.empty()) {
     client_.send(to_json(Advertise{t.stop, typed(ros::bool_type)}));
     const std::lock_guard lock(mutex_);
-    if (stop_was_used_) client_.send(to_json(Publish{t.stop, ros::to_json(stopped_)}), stop_word);
+    if (stopped_ || told_to_stop_) publish_stop(stopped_);
   }
+}
+
+/// `false` is said once after a `true`: repeated, it would release what others have stopped since.
+void RobotClient::publish_stop(bool stopped) {
+  client_.send(to_json(rosbridge::Publish{settings_.topics.stop, ros::to_json(stopped)}), stop_word);
+  told_to_stop_ = stopped;
 }
 
 void RobotClient::take(const rosbridge::Publish& publish) {
@@ -116,24 +123,19 @@ std::optional<RobotClient::Received> RobotClient::receive(double wait_s) {
 }
 
 void RobotClient::drive(const Eigen::Vector2d& velocity) {
-  {
-    const std::lock_guard lock(mutex_);
-    velocity_ = velocity;
-    driven_ = Clock::now();
-  }
+  const std::lock_guard lock(mutex_);
+  velocity_ = velocity;
+  driven_ = Clock::now();
   send_velocity();
 }
 
 void RobotClient::set_stopped(bool stopped) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (stopped_ == stopped) return;
-    stopped_ = stopped;
-    stop_was_used_ = true;
-    velocity_.setZero();
-  }
-  if (!settings_.topics.stop.empty())
-    client_.send(to_json(rosbridge::Publish{settings_.topics.stop, ros::to_json(stopped)}), stop_word);
+  const std::lock_guard lock(mutex_);
+  if (stopped_ == stopped) return;
+  stopped_ = stopped;
+  velocity_.setZero();
+  // Without a connection subscribe() says it in the next one
+  if (!settings_.topics.stop.empty() && client_.is_connected()) publish_stop(stopped);
   send_velocity();
 }
 
@@ -151,12 +153,9 @@ std::optional<std::int64_t> RobotClient::robot_time_ns() const {
 
 void RobotClient::send_velocity() {
   ros::StampedTwist command;
-  {
-    const std::lock_guard lock(mutex_);
-    const bool late = !driven_ || Clock::now() - *driven_ > std::chrono::duration<double>(settings_.late_s);
-    command.twist = twist_with(stopped_ || late ? Eigen::Vector2d(0, 0) : velocity_);
-    if (settings_.stamps_commands) command.stamp_ns = robot_time_ns().value_or(0);
-  }
+  const bool late = !driven_ || Clock::now() - *driven_ > std::chrono::duration<double>(settings_.late_s);
+  command.twist = twist_with(stopped_ || late ? Eigen::Vector2d(0, 0) : velocity_);
+  if (settings_.stamps_commands) command.stamp_ns = robot_time_ns().value_or(0);
   client_.send(to_json(rosbridge::Publish{settings_.topics.command, ros::to_json(command, settings_.ros)}),
                command_word);
 }

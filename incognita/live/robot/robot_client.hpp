@@ -75,11 +75,12 @@ class RobotClient {
   using Clock = std::chrono::steady_clock;
   RosbridgeClientHandlers handlers();
   void subscribe();
+  void publish_stop(bool stopped);  ///< with `mutex_` held
   void take(const rosbridge::Publish& publish);
   void take_image(const rosbridge::Publish& publish);
   void take_odometry(const rosbridge::Publish& publish);
   void note(const std::string& event);
-  void send_velocity();
+  void send_velocity();  ///< with `mutex_` held, so that commands leave in the order of their causes
   std::optional<std::int64_t> robot_time_ns() const;
 
   RobotClientSettings settings_;
@@ -93,7 +94,8 @@ class RobotClient {
   std::uint64_t taken_ = 0;  ///< of those that arrived
   Eigen::Vector2d velocity_{0, 0};
   std::optional<Clock::time_point> driven_;
-  bool stopped_ = false, stop_was_used_ = false;
+  bool stopped_ = false;
+  bool told_to_stop_ = false;  ///< the last that was published on the stop topic was true
   std::optional<std::pair<std::int64_t, Clock::time_point>>
       robot_clock_;  ///< stamp of the last image, and its arrival
   std::optional<ros::CameraInfo> camera_info_;

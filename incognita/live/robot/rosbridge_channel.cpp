@@ -38,15 +38,25 @@ void RosbridgeChannel::received(std::uint64_t id, std::string_view message, bool
   if (binary)
     return send_status(client, "error", "binary messages (CBOR, BSON) are not read here; send JSON");
   try {
-    Operation operation = parse(message);
-    if (const auto* fragment = std::get_if<Fragment>(&operation)) {
-      const std::optional<std::string> whole = client.fragments.add(*fragment);
-      if (!whole) return;
-      operation = parse(*whole);
-    }
-    carry_out(id, client, operation);
+    const std::optional<Operation> operation = read(id, client, message);
+    if (operation) carry_out(id, client, *operation);
   } catch (const InputError& error) {
     send_status(client, "error", error.what());
+  }
+}
+
+/// None while fragments are missing.
+std::optional<Operation> RosbridgeChannel::read(std::uint64_t id, Client& client, std::string_view message) {
+  try {
+    Operation operation = parse(message);
+    const auto* fragment = std::get_if<Fragment>(&operation);
+    if (!fragment) return operation;
+    const std::optional<std::string> whole = client.fragments.add(*fragment);
+    if (!whole) return std::nullopt;
+    return parse(*whole);
+  } catch (const InputError&) {
+    if (handlers_.unreadable) handlers_.unreadable(id);
+    throw;
   }
 }
 

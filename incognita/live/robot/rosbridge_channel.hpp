@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,8 @@ namespace incognita {
 struct RosbridgeChannelHandlers {
   /// A client publishes. InputError is answered with a status.
   std::function<void(std::uint64_t client, const rosbridge::Publish& publish)> published = {};
+  /// A message of a client is no operation, such as one with NaN, which is not JSON; it is answered with a status.
+  std::function<void(std::uint64_t client)> unreadable = {};
   std::function<void(std::uint64_t client)> left = {};
   /// The first client subscribes to a topic, or the last one ends that. `type` may be empty.
   std::function<void(const std::string&topic, const std::string&type)> wanted = {}, unwanted = {};
@@ -56,6 +59,7 @@ class RosbridgeChannel final : public ViewerProtocol {
     std::vector<Subscription> subscriptions = {};
     rosbridge::FragmentAssembler fragments = {};
   };
+  std::optional<rosbridge::Operation> read(std::uint64_t id, Client& client, std::string_view message);
   void carry_out(std::uint64_t id, Client& client, const rosbridge::Operation& operation);
   void subscribe(Client& client, const rosbridge::Subscribe& wish);
   void unsubscribe(Client& client, const rosbridge::Unsubscribe& wish);

@@ -194,8 +194,8 @@ struct RosbridgeClient::Implementation {
     heartbeat.expires_after(duration_of(settings.heartbeat_s));
     heartbeat.async_wait([this](ClientError error) {
       if (error || ending) return;
+      beat();  // first: a handler that fails must not end the heartbeat
       if (handlers.heartbeat) handlers.heartbeat();
-      beat();
     });
   }
 

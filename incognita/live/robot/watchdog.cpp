@@ -13,7 +13,7 @@ CommandWatchdog::CommandWatchdog(const Settings& settings) : settings_(settings)
 
 void CommandWatchdog::command(const Velocity& velocity, double now_s, std::uint64_t who,
                               std::optional<double> age_s) {
-  if (stopped_ == Stop::by_hand) return;
+  if (is_held()) return;
   who_ = who;
   if (age_s && !(std::abs(*age_s) <= settings_.stale_s)) {
     stopped_ = Stop::stale;
@@ -29,10 +29,16 @@ void CommandWatchdog::command(const Velocity& velocity, double now_s, std::uint6
 }
 
 void CommandWatchdog::disconnected(std::uint64_t who) {
-  if (who == who_ && stopped_ != Stop::by_hand && last_command_s_) stopped_ = Stop::disconnected;
+  if (who == who_ && !is_held() && last_command_s_) stopped_ = Stop::disconnected;
 }
 
-void CommandWatchdog::stop() { stopped_ = Stop::by_hand; }
+void CommandWatchdog::unreadable(std::uint64_t who) {
+  if (who == who_ && !is_held() && last_command_s_) stopped_ = Stop::invalid;
+}
+
+void CommandWatchdog::stop() {
+  if (!is_held()) stopped_ = Stop::by_hand;
+}
 
 void CommandWatchdog::release() {
   if (stopped_ == Stop::by_hand) stopped_ = Stop::no_command;
@@ -62,6 +68,8 @@ const char* name(CommandWatchdog::Stop stop) {
       return "invalid command";
     case CommandWatchdog::Stop::by_hand:
       return "stopped by hand";
+    case CommandWatchdog::Stop::ended:
+      return "ended";
   }
   return "unknown";
 }

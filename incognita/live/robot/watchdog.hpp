@@ -22,8 +22,9 @@ class CommandWatchdog {
     silence,       ///< no command for timeout_s
     disconnected,  ///< the connection of the commander ended
     stale,         ///< the last command was stamped longer than stale_s ago
-    invalid,       ///< the last command was not finite
-    by_hand        ///< somebody stopped it; until released
+    invalid,       ///< the last command was not finite, or could not be read
+    by_hand,       ///< somebody stopped it; until released
+    ended          ///< the program that passes commands on ends
   };
   /// Speed, m/s, and turn rate, rad/s, to the left.
   using Velocity = Eigen::Vector2d;
@@ -35,9 +36,13 @@ class CommandWatchdog {
   void command(const Velocity& velocity, double now_s, std::uint64_t who, std::optional<double> age_s = {});
   /// The connection of `who` ended; stops the robot if the last command was theirs.
   void disconnected(std::uint64_t who);
+  /// A message of `who` could not be read, and may have been a command; stops the robot if the last command was theirs.
+  void unreadable(std::uint64_t who);
   /// Stops the robot until release() and a fresh command after it.
   void stop();
   void release();
+  /// Stops the robot for good.
+  void end() { stopped_ = Stop::ended; }
 
   /// To drive with at this time.
   Velocity velocity(double now_s) const { return reason(now_s) == Stop::none ? velocity_ : Velocity(0, 0); }
@@ -46,6 +51,8 @@ class CommandWatchdog {
   std::optional<double> last_command_s() const { return last_command_s_; }
 
  private:
+  bool is_held() const { return stopped_ == Stop::by_hand || stopped_ == Stop::ended; }
+
   Settings settings_;
   Velocity velocity_{0, 0};
   std::optional<double> last_command_s_;

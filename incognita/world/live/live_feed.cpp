@@ -61,9 +61,9 @@ void LiveFeed::state(StateArchive& archive) {
   resumed_ = archive.restores();
 }
 
-/// The clock of a camera starts anew with each run; that of a robot goes on.
+/// The time while the program was off is no time of the run: its first image is one period after the last.
 void LiveFeed::move_after_saved_run(LiveReading& reading) {
-  if (std::exchange(resumed_, false) && last_t_ && reading.t <= *last_t_)
+  if (std::exchange(resumed_, false) && last_t_)
     shift_s_ = rounded_to_us(*last_t_ + settings_.period_s - reading.t);
   if (shift_s_ == 0) return;
   reading.t = rounded_to_us(reading.t + shift_s_);
@@ -78,13 +78,14 @@ std::optional<Tick> LiveFeed::tick_of(LiveReading reading, double now_s) {
   if (last_t_ && reading.t <= *last_t_) {
     ++unused_;
     const double back_s = last_image_t_ ? *last_image_t_ - reading.t : 0;
-    if (back_s > 1)
+    if (back_s > 1 && !std::exchange(went_back_, true))
       report_("the stamps of the images went back by " + in_seconds(back_s) +
               ": images are not used until they are later again; if its clock was set, start another run");
     return std::nullopt;
   }
   if (last_image_s_ && settings_.late_s && now_s - *last_image_s_ > *settings_.late_s)
     report_("images come again, after " + in_seconds(now_s - *last_image_s_));
+  went_back_ = false;
   last_image_s_ = now_s;
   last_image_t_ = reading.t;
   reading_ = std::move(reading);

@@ -68,6 +68,7 @@ class LiveFeed {
   std::optional<double> last_image_t_;
   std::optional<LiveReading> reading_;  ///< of the last tick
   std::vector<Odometry> odometry_;      ///< later than the last tick
+  bool went_back_ = false;              ///< the stamps of the last images
   bool is_complete_ = false;            ///< an image came from after the duration
   bool resumed_ = false;                ///< no image has come since
   double shift_s_ = 0;                  ///< added to the times of the source, since it is resumed

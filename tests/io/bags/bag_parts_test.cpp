@@ -120,7 +120,9 @@ TEST(BagCameraInfo, OfRectifiedImagesIsP) {
   EXPECT_EQ(rectified->camera.v0_px, 241);
   EXPECT_EQ(std::get<PinholeLens>(rectified->camera.model).k1, 0);
   EXPECT_TRUE(has_rectified_images("/cam/image_rect_color"));
-  EXPECT_FALSE(has_rectified_images("/cam/image_raw"));
+  EXPECT_TRUE(has_rectified_images("/cam/image_rect/compressed"));
+  for (const char* topic : {"/cam/image_raw", "/direct/image_raw", "/cam/image_unrectified", "/rect", ""})
+    EXPECT_FALSE(has_rectified_images(topic)) << topic;
 }
 
 TEST(BagCameraInfo, SaysWhyNoCameraModelFits) {

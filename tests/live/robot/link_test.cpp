@@ -201,6 +201,59 @@ TEST(RobotLink, ConnectsAgainWhenTheRobotComesBack) {
   EXPECT_NE(events.find("lost the connection"), std::string::npos) << events;
 }
 
+/// A release that is repeated would undo the stops of others.
+TEST(RobotLink, AReleaseIsPublishedOnceAndAStopAgain) {
+  auto robot = std::make_unique<Robot>();
+  const std::uint16_t port = robot->server->port();
+  RobotClient client(at(*robot));
+  const auto stops = [&] {
+    const std::lock_guard lock(robot->mutex);
+    return robot->stops;
+  };
+  const auto end_connection = [&] {
+    robot.reset();
+    return becomes([&] { return !client.problem().empty(); });
+  };
+  const auto connects_again = [&] {
+    robot = std::make_unique<Robot>(port);
+    return first_image(*robot, client) && becomes([&] { return robot->count() > 2; });
+  };
+  ASSERT_TRUE(first_image(*robot, client));
+  client.set_stopped(true);
+  client.set_stopped(false);
+  ASSERT_TRUE(becomes([&] { return !stops().empty() && !stops().back(); }));
+  ASSERT_TRUE(end_connection());
+  ASSERT_TRUE(connects_again());
+  EXPECT_TRUE(stops().empty()) << "said before";
+  client.set_stopped(true);
+  ASSERT_TRUE(becomes([&] { return stops() == std::vector{true}; }));
+  ASSERT_TRUE(end_connection());
+  ASSERT_TRUE(connects_again());
+  EXPECT_EQ(stops(), std::vector{true}) << "again";
+  ASSERT_TRUE(end_connection());
+  client.set_stopped(false);
+  ASSERT_TRUE(connects_again());
+  EXPECT_EQ(stops(), std::vector{false}) << "released while there was no connection";
+  ASSERT_TRUE(end_connection());
+  client.set_stopped(true);
+  client.set_stopped(false);
+  ASSERT_TRUE(connects_again());
+  EXPECT_TRUE(stops().empty()) << "the robot never heard of this stop";
+}
+
+TEST(RosbridgeClient, AHandlerThatFailsDoesNotEndTheHeartbeat) {
+  std::atomic<int> beats = 0;
+  RosbridgeClientSettings settings{parse_websocket_address("ws://127.0.0.1:1")};
+  settings.heartbeat_s = 0.01;
+  RosbridgeClientHandlers handlers;
+  handlers.heartbeat = [&] {
+    if (++beats == 1) throw std::runtime_error("no memory");
+  };
+  RosbridgeClient client(settings, handlers);
+  client.start();
+  EXPECT_TRUE(becomes([&] { return beats > 3; }));
+}
+
 TEST(RobotLink, SaysWhyThereIsNoConnection) {
   RobotClientSettings settings;
   settings.address = "ws://127.0.0.1:1";

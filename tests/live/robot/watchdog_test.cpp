@@ -90,6 +90,35 @@ TEST(Watchdog, StoppedByHandItWaitsForReleaseAndForAFreshCommand) {
   EXPECT_EQ(dog.velocity(10.3), forward);
 }
 
+TEST(Watchdog, AMessageOfTheCommanderThatCannotBeReadStopsIt) {
+  CommandWatchdog dog = watchdog();
+  dog.unreadable(0);
+  EXPECT_EQ(dog.reason(10), Stop::no_command);
+  dog.command(forward, 10, 1);
+  dog.unreadable(2);
+  EXPECT_EQ(dog.velocity(10.1), forward) << "another client";
+  dog.unreadable(1);
+  EXPECT_EQ(dog.velocity(10.1), zero);
+  EXPECT_EQ(dog.reason(10.1), Stop::invalid);
+  dog.command(forward, 10.2, 1);
+  EXPECT_EQ(dog.velocity(10.2), forward);
+  dog.stop();
+  dog.unreadable(1);
+  EXPECT_EQ(dog.reason(10.3), Stop::by_hand);
+}
+
+TEST(Watchdog, ItsEndIsForGood) {
+  CommandWatchdog dog = watchdog();
+  dog.command(forward, 10, 1);
+  dog.end();
+  dog.stop();
+  dog.release();
+  dog.disconnected(1);
+  dog.command(forward, 10.1, 1);
+  EXPECT_EQ(dog.velocity(10.1), zero);
+  EXPECT_EQ(dog.reason(10.1), Stop::ended);
+}
+
 TEST(Watchdog, ReleaseWithoutAStopChangesNothing) {
   CommandWatchdog dog = watchdog();
   dog.command(forward, 10, 1);

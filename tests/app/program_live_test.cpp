@@ -1,0 +1,124 @@
+// Runs whose images come from a camera, a video in real time: what they record is kept, and repeats them.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "tests/app/program.hpp"
+#include "tests/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+using testing::Circumstances;
+using testing::Ended;
+using testing::incognita;
+using testing::Program;
+using testing::Scratch;
+using testing::Words;
+
+/// Images of a run in the rendered room, as a video of 15 images/s.
+void write_clip(const Scratch& scratch) {
+  ASSERT_EQ(
+      incognita({"run", "room", "--duration", "3", "--save-recording", "--no-figures", "--out", "rendered"},
+                scratch.folder())
+          .code,
+      0);
+  cv::VideoWriter video((scratch / "clip.mkv").string(), cv::CAP_FFMPEG,
+                        cv::VideoWriter::fourcc('F', 'F', 'V', '1'), 15, cv::Size(320, 240));
+  ASSERT_TRUE(video.isOpened());
+  for (const std::string& line : testing::lines(scratch / "rendered/recording/rgb.txt"))
+    if (!line.starts_with("#"))
+      video.write(cv::imread((scratch / "rendered/recording" / line.substr(line.find(' ') + 1)).string()));
+}
+
+Words live(const std::string& source, const std::string& out) {
+  return {"run",
+          "hand",
+          "--no-figures",
+          "--out",
+          out,
+          "--duration",
+          "60",
+          "--set",
+          "live.source=\"" + source + "\"",
+          "--set",
+          "camera.model=\"wide-angle\"",
+          "--set",
+          "camera.width_px=320",
+          "--set",
+          "camera.height_px=240",
+          "--set",
+          "camera.fu_px=195",
+          "--set",
+          "camera.fv_px=195",
+          "--set",
+          "camera.u0_px=159.5",
+          "--set",
+          "camera.v0_px=119.5",
+          "--set",
+          "start.from=\"target\"",
+          "--set",
+          "start.target=\"targets/sheet.toml\""};
+}
+
+TEST(ProgramLive, TracksRecordsAndIsRepeatedByTheSameBytes) {
+  const Scratch scratch;
+  write_clip(scratch);
+  const Ended run = incognita(live((scratch / "clip.mkv").string(), "seen"), scratch.folder());
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto summary = testing::summary_of(scratch / "seen");
+  const std::size_t used = testing::lines(scratch / "seen/recording/rgb.txt").size() - 1;
+  EXPECT_EQ(summary["frames"].get<std::size_t>(), used);
+  EXPECT_GT(used, 5u);
+  EXPECT_EQ(used + summary["camera_dropped_images"].get<std::size_t>(),
+            testing::lines(scratch / "rendered/recording/rgb.txt").size() - 1)
+      << "used or counted as dropped";
+  EXPECT_LT(summary["lost_frames"].get<std::size_t>(), used / 2);
+  ASSERT_EQ(incognita({"run", "seen/replay.toml", "--no-figures", "--out", "again"}, scratch.folder()).code,
+            0);
+  for (const char* table : {"estimate.tum", "covariance.csv", "map.csv", "measurements.csv", "actions.csv"})
+    EXPECT_EQ(testing::contents(scratch / "again" / table), testing::contents(scratch / "seen" / table))
+        << table;
+
+  // What a camera saw cannot be had again
+  const Ended over = incognita({"run", "seen/replay.toml", "--out", "seen"}, scratch.folder());
+  EXPECT_EQ(over.code, 2);
+  EXPECT_SAYS(over.err, "seen holds the recording of this run");
+  const Ended second = incognita(live((scratch / "clip.mkv").string(), "seen"), scratch.folder());
+  EXPECT_EQ(second.code, 2);
+  EXPECT_SAYS(second.err, "seen holds what a camera saw in an earlier run");
+  EXPECT_EQ(testing::lines(scratch / "seen/recording/rgb.txt").size() - 1, used);
+}
+
+TEST(ProgramLive, IsInterruptedWhileItWaits) {
+  const Scratch scratch;
+  Words words = live("browser", "waits");
+  words.insert(words.end(), {"--view=0"});
+  Program program(words, Circumstances{scratch.folder()});
+  ASSERT_TRUE(testing::has_lines(scratch / "waits/effective.toml", 10));
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait().code, 1);
+  EXPECT_EQ(testing::summary_of(scratch / "waits")["status"], "interrupted");
+}
+
+TEST(ProgramLive, SaysWhichCameraCannotBeUsed) {
+  const Scratch scratch;
+  const auto refusal = [&](const std::string& source) {
+    const Ended ended = incognita(live(source, "out"), scratch.folder());
+    EXPECT_EQ(ended.code, 2) << ended.err;
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
+    return ended.err;
+  };
+  EXPECT_SAYS(refusal("browser"), "run with --view");
+  EXPECT_SAYS(refusal("/dev/video-none"), "/dev/video-none: cannot be opened");
+  EXPECT_SAYS(refusal("none.mp4"), "live.source: none.mp4");
+  const Ended checked = incognita({"config", "hand", "--check"}, scratch.folder());
+  EXPECT_EQ(checked.code, 0) << checked.err;
+  EXPECT_SAYS(checked.out, "the camera, browser, is not tried");
+}
+
+}  // namespace
+}  // namespace incognita

@@ -491,7 +491,7 @@ TEST(LoadScenario, RefusesASectionOfAnotherSensor) {
 TEST(LoadScenario, TakesASmallCameraWhoseLandmarksAreChosenInNoBox) {
   const std::string small =
       free_start + "[camera]\nwidth_px = 32\nheight_px = 24\nu0_px = 15.5\nv0_px = 11.5\n";
-  EXPECT_EQ(complaint(small), "");
+  EXPECT_EQ(complaint(small), "(none)");
   EXPECT_HAS(complaint(small + "[landmark_initialization]\nselection = \"random-box\"\n"),
              "landmark_initialization.box_width_px");
 }

@@ -61,9 +61,13 @@ void LiveFeed::state(StateArchive& archive) {
   resumed_ = archive.restores();
 }
 
-/// The time while the program was off is no time of the run: its first image is one period after the last.
+/// The time while the program was off is no time of the run. The clock of a camera starts anew: its first image is one period
+/// after the last. That of a robot goes on, and its stamps are kept, so that they fit its own records.
 void LiveFeed::move_after_saved_run(LiveReading& reading) {
-  if (std::exchange(resumed_, false) && last_t_)
+  is_first_again_ = std::exchange(resumed_, false) && last_t_;
+  if (is_first_again_ && reading.t > *last_t_)
+    first_t_ = rounded_to_us(*first_t_ + (reading.t - *last_t_) - settings_.period_s);
+  else if (is_first_again_)
     shift_s_ = rounded_to_us(*last_t_ + settings_.period_s - reading.t);
   if (shift_s_ == 0) return;
   reading.t = rounded_to_us(reading.t + shift_s_);
@@ -124,7 +128,8 @@ std::optional<Tick> LiveFeed::tick_without_image(double now_s) {
 
 Tick LiveFeed::next_tick(double t) {
   last_tick_s_ = now_s_();
-  const double dt = last_t_ ? duration_s(*last_t_, t, true) : 0;
+  const bool is_first_again = std::exchange(is_first_again_, false);
+  const double dt = !last_t_ ? 0 : is_first_again ? settings_.period_s : duration_s(*last_t_, t, true);
   if (!first_t_) first_t_ = t;
   last_t_ = t;
   return {frame_++, t, dt, true};

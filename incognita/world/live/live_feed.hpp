@@ -70,6 +70,7 @@ class LiveFeed {
   std::vector<Odometry> odometry_;      ///< later than the last tick
   bool went_back_ = false;              ///< the stamps of the last images
   bool is_complete_ = false;            ///< an image came from after the duration
+  bool is_first_again_ = false;         ///< the image is the first of a resumed run
   bool resumed_ = false;                ///< no image has come since
   double shift_s_ = 0;                  ///< added to the times of the source, since it is resumed
 };

@@ -296,10 +296,10 @@ int run_with_page(RunOptions options) {
   handle_signals();
   LoadedScenario loaded = load(options);
   const std::string out = output_folder(options, loaded);
-  ServerSettings settings = server_settings(options.page);
+  ServerSettings served = server_settings(options.page);
   if (loaded.scenario.is_robot())
-    settings.idle_s = 3;  // who drives by hand and falls silent must not drive on
-  LivePage page(std::move(settings), options.scenario, [] { return interrupted(); });
+    served.idle_s = 3;  // who drives by hand and falls silent must not drive on
+  LivePage page(std::move(served), options.scenario, [] { return interrupted(); });
   print_message("the page is at {}\n{}", page.address(),
                 hint_for_other_machines(options.page, page.address()));
   open_in_browser(page.address());

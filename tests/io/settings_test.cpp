@@ -507,9 +507,10 @@ TEST(ReplayToml, IsTheLiveScenarioWithTheRecordingInPlaceOfTheCamera) {
   EXPECT_TRUE(replay.scenario.is_recording());
   EXPECT_EQ(replay.scenario.recording.folder, "recording");
   EXPECT_EQ(replay.scenario.camera.fu_px, 321);
-  for (const SettingInForce& setting : live.settings)
-    if (!setting.key.starts_with("live.") && setting.key != "world.type")
-      EXPECT_TRUE(replay.sources.contains(setting.key)) << setting.key;
+  for (const SettingInForce& setting : live.settings) {
+    if (setting.key.starts_with("live.") || setting.key == "world.type") continue;
+    EXPECT_TRUE(replay.sources.contains(setting.key)) << setting.key;
+  }
 }
 
 TEST(LoadScenario, RefusesAControllerOfRecordedImages) {

@@ -16,7 +16,7 @@ struct NewTarget {
     Eigen::Vector2d
         position_m;  ///< right and down from the center of the target, as seen from the printed side
     Image patch;     ///< odd square, the corner is its center pixel
-    Eigen::Vector2d picture_px;  ///< in the picture, the center of the first pixel is (0, 0)
+    Eigen::Vector2d picture_px{0.0, 0.0};  ///< in the picture, the center of the first pixel is (0, 0)
   };
   std::string comment;  ///< lines without comment sign; the first one names `incognita target`, its program
   std::vector<Corner> corners;

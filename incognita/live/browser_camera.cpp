@@ -4,17 +4,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace incognita {
 namespace {
-
-double now_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 constexpr std::size_t time_bytes = 8;
 
@@ -96,11 +91,11 @@ void BrowserCamera::greet(std::uint64_t id, std::string_view message) {
 
 void BrowserCamera::take_image(std::uint64_t id, std::string_view message) {
   if (sender_ != id) return answer(id, refused("a camera must say {\"type\": \"camera\", ...} first"));
-  const double told_s = message.size() > time_bytes ? time_in(message) : std::nan("");
-  if (!std::isfinite(told_s)) return answer(id, refused("an image must be 8 bytes of time, s, and a JPEG"));
-  const double t = times_.time_of(told_s, now_s());
+  const double taken_s = message.size() > time_bytes ? time_in(message) : std::nan("");
+  if (!std::isfinite(taken_s)) return answer(id, refused("an image must be 8 bytes of time, s, and a JPEG"));
+  const double t = times_.time_of(taken_s, steady_s());
   images_.put({t, std::string(message.substr(time_bytes))});
-  answer(id, nlohmann::json{{"type", "got"}, {"t", told_s}, {"run_t", t}}.dump());
+  answer(id, nlohmann::json{{"type", "got"}, {"t", taken_s}, {"run_t", t}}.dump());
 }
 
 void BrowserCamera::answer(std::uint64_t id, const std::string& json) {

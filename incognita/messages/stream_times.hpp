@@ -3,16 +3,19 @@
 
 namespace incognita {
 
-/// The time of an image from that which the driver or the stream tells, where it tells a plausible one, else from its arrival.
+/// s, on a clock of this machine that does not jump.
+double steady_s();
+
+/// The time of an image as the driver or the stream reports it, where that is plausible, else by its arrival.
 class StreamTimes {
  public:
-  /// s, increasing, in whole microseconds, from 0 at the first image. `told_s`: 0 where nothing is told. Times that go back, or
-  /// that differ by more than a second from what has passed, are not believed.
-  double time_of(double told_s, double arrived_s);
+  /// s, increasing, in whole microseconds, from 0 at the first image. `reported_s`: on any clock, 0 where nothing is reported;
+  /// not used if it goes back, or differs by more than a second from the time between the arrivals. `arrived_s`: of steady_s().
+  double time_of(double reported_s, double arrived_s);
 
  private:
   bool is_first_ = true;
-  double t_ = 0, told_s_ = 0, arrived_s_ = 0;  ///< of the last image
+  double t_ = 0, reported_s_ = 0, arrived_s_ = 0;  ///< of the last image
 };
 
 }  // namespace incognita

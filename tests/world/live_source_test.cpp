@@ -11,21 +11,21 @@
 namespace incognita {
 namespace {
 
-TEST(StreamTimes, AreThoseThatTheStreamTells) {
+TEST(StreamTimes, AreThoseThatTheStreamReports) {
   StreamTimes times;
   EXPECT_EQ(times.time_of(5000.25, 77), 0);
   EXPECT_NEAR(times.time_of(5000.28, 77.05), 0.03, 1e-9) << "it arrived late";
   EXPECT_NEAR(times.time_of(5000.35, 77.10), 0.10, 1e-9);
 }
 
-TEST(StreamTimes, FollowTheArrivalWhereNothingPlausibleIsTold) {
+TEST(StreamTimes, FollowTheArrivalWhereNothingPlausibleIsReported) {
   StreamTimes nothing;
   EXPECT_EQ(nothing.time_of(0, 10), 0);
   EXPECT_NEAR(nothing.time_of(0, 10.04), 0.04, 1e-9);
   StreamTimes jumps;
   jumps.time_of(100, 10);
   EXPECT_NEAR(jumps.time_of(50, 10.04), 0.04, 1e-9) << "back, as of another camera";
-  EXPECT_NEAR(jumps.time_of(50.03, 10.08), 0.07, 1e-9) << "from there on it is believed again";
+  EXPECT_NEAR(jumps.time_of(50.03, 10.08), 0.07, 1e-9) << "from there on it is plausible again";
   EXPECT_NEAR(jumps.time_of(9000, 10.12), 0.11, 1e-9) << "far ahead of what has passed";
 }
 

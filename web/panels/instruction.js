@@ -1,13 +1,13 @@
-// The command to a person who holds the camera: in large type over the whole width, and by voice.
+// The command to the operator who holds the camera: in large type over the whole width, and by voice.
 import { button, element } from './dom.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 /** @typedef {import('../state/types.js').Snapshot} Snapshot */
 
-/** Words to a person, by the name of an action. @type {Record<string, string>} */
+/** Words to the operator, by the name of an action. @type {Record<string, string>} */
 const WORDS = { stay: 'stay where you are' };
 
 /**
- * What the person is to do now; empty while the run is not tracking.
+ * What the operator is to do now; empty while the run is not tracking.
  * @param {Snapshot | null} snapshot
  */
 export function instructionOf(snapshot) {

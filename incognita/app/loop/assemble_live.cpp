@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
 #include "incognita/control/steering_controller.hpp"
@@ -10,14 +8,11 @@
 #include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/messages/stream_times.hpp"
 #include "incognita/world/live/sized_images.hpp"
 
 namespace incognita {
 namespace {
-
-double steady_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// A device or an address as it is; a video beside the scenario or under the data folder.
 std::string place_of(const LoadedScenario& loaded) {
@@ -41,7 +36,7 @@ std::shared_ptr<LiveSource> source_of(const LoadedScenario& loaded, const LiveSo
 
 }  // namespace
 
-/// A person moves the camera, and sees what is decided; nothing of it is known to the filter.
+/// The operator moves the camera, and sees what is decided; the filter predicts without a command.
 Assembly assemble_live_camera(const LoadedScenario& loaded, const LiveSources& sources) {
   const Scenario& s = loaded.scenario;
   const Camera camera = make_camera(s.camera);

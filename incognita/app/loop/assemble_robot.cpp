@@ -1,5 +1,3 @@
-#include <chrono>
-
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
 #include "incognita/app/loop/linked_robot.hpp"
@@ -10,13 +8,10 @@
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/messages/stream_times.hpp"
 
 namespace incognita {
 namespace {
-
-double steady_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::shared_ptr<LinkedRobot> linked_robot(const LoadedScenario& loaded) {
   try {

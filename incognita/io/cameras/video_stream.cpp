@@ -19,10 +19,6 @@ namespace {
 constexpr double retry_s = 1, nap_s = 0.02;
 constexpr int network_timeout_ms = 5000;
 
-double steady_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 bool is_device(const std::string& source) { return source.starts_with("/dev/"); }
 bool is_address(const std::string& source) { return source.find("://") != std::string::npos; }
 
@@ -109,8 +105,8 @@ bool VideoStream::grab_until_it_fails() {
   const double start_s = steady_s();
   while (!stop_) {
     if (!c.video.grab()) return !c.is_file;
-    const double told_s = c.video.get(cv::CAP_PROP_POS_MSEC) / 1000;
-    const double t = c.times.time_of(told_s, c.is_file ? start_s + told_s : steady_s());
+    const double reported_s = c.video.get(cv::CAP_PROP_POS_MSEC) / 1000;
+    const double t = c.times.time_of(reported_s, c.is_file ? start_s + reported_s : steady_s());
     if (c.is_file) wait_for(start_s + t - steady_s());
     cv::Mat decoded;
     if (!c.video.retrieve(decoded) || decoded.empty()) continue;

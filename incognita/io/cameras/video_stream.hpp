@@ -20,7 +20,7 @@ struct VideoStreamSettings {
 };
 
 /// The image is that at the moment when it is asked for; older ones are dropped and counted. Its time is that of the driver
-/// or of the stream where they tell it, else that of its arrival.
+/// or of the stream where they report one, else that of its arrival.
 class VideoStream final : public LiveSource {
  public:
   /// Throws InputError that names the source and the remedy if it cannot be opened.

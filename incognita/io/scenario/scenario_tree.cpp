@@ -384,7 +384,7 @@ void recorded_images(SettingReader& r, Scenario& s, const CameraFinder& find_cam
   free_camera_decision(r, s);  // shown as advice: nothing controls the recorded motion
 }
 
-/// A camera that a person holds, or that stands still.
+/// A camera that an operator holds, or that stands still.
 void live_camera(SettingReader& r, Scenario& s) {
   vehicle_model(r, s, {"free-camera"});
   sensor_type(r, s, {"camera"});
@@ -393,7 +393,7 @@ void live_camera(SettingReader& r, Scenario& s) {
   r.all(s.live);
   read_camera(r, s.camera);
   image_estimator(r, s);
-  free_camera_decision(r, s);  // shown to the person
+  free_camera_decision(r, s);  // shown to the operator
 }
 
 void recorded_vehicle(SettingReader& r, Scenario& s) {

@@ -83,7 +83,9 @@ std::string compare_camera(const LoadedScenario& loaded, const Recording& record
                                    shown(recording.camera->file), theirs.value);
   if (differences.empty())
     return fmt::format("the camera {} {}",
-                       loaded.source_of("camera.model").starts_with(taken) ? "is taken from" : "agrees with",
+                       loaded.source_of("camera.model") == taken + shown(recording.camera->file)
+                           ? "is taken from"
+                           : "agrees with",
                        shown(recording.camera->file));
   throw InputError(
       differences +

@@ -6,10 +6,12 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "incognita/io/calibrations/read_calibration.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/recordings/camera_of_recording.hpp"
 #include "incognita/io/scenario/renamed_settings.hpp"
 #include "incognita/io/scenario/scenario_checks.hpp"
+#include "incognita/io/scenario/scenario_file.hpp"
 #include "incognita/io/scenario/scenario_tree.hpp"
 #include "incognita/io/scenario/setting_reader.hpp"
 #include "incognita/io/scenario/unknown_setting.hpp"
@@ -20,6 +22,7 @@ namespace incognita {
 namespace {
 
 constexpr std::size_t largest_scenario = 1 << 20;
+constexpr const char* camera_file = "camera.file";
 
 std::filesystem::path find_scenario(const std::string& path_or_name) {
   const std::vector<std::string> names = embedded_scenarios();
@@ -105,6 +108,36 @@ struct Given {
   }
 };
 
+bool is_empty_text(const GivenValue& given) {
+  if (const auto* typed = std::get_if<std::string>(&given.value)) return typed->empty() || *typed == "\"\"";
+  const auto* text = std::get_if<std::string>(&std::get<TomlValue>(given.value).value);
+  return text && text->empty();
+}
+
+/// What else is given of [camera] beside a calibration file of the same place: nothing is. A file of the command line
+/// replaces the [camera] of the scenario.
+void let_calibration_replace_camera(Given& given, std::vector<std::string>& notes) {
+  const auto file = given.values.find(camera_file);
+  if (file == given.values.end() || is_empty_text(file->second.back())) return;
+  const GivenValue calibration = file->second.back();
+  for (auto at = given.values.begin(); at != given.values.end();) {
+    const auto& [key, values] = *at;
+    const bool stays = section_of(key) != "camera" || key == camera_file || values.back().order > 0;
+    if (stays) {
+      ++at;
+      continue;
+    }
+    if (calibration.order > 0)
+      notes.push_back(fmt::format("{} ({}) is left out: camera.file ({}) replaces it", key,
+                                  values.back().source, calibration.source));
+    else
+      given.problems.push_back(
+          fmt::format("{}: {}: the camera is that of camera.file ({}); remove one of the two",
+                      values.back().source, key, calibration.source));
+    at = given.values.erase(at);
+  }
+}
+
 /// The settings in the order of the first of their section.
 std::vector<SettingInForce> by_section(std::vector<SettingInForce> settings) {
   std::vector<std::string> sections;
@@ -122,11 +155,19 @@ void refuse(const std::vector<std::string>& problems) {
   if (!problems.empty()) throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
 }
 
+std::optional<FoundCamera> find_camera(const Scenario& scenario, const std::filesystem::path& file) {
+  if (scenario.camera.file.empty()) return camera_of_recording(scenario, file);
+  const std::filesystem::path calibration = find_named_file(file, scenario.camera.file);
+  return FoundCamera{read_calibration(calibration), "as " + shown(calibration)};
+}
+
 void read(LoadedScenario& loaded, Given given) {
   given.refuse_former_names();
+  std::vector<std::string> replaced;
+  let_calibration_replace_camera(given, replaced);
   SettingReader reader(given.values);
   read_settings(reader, loaded.scenario,
-                [&](const Scenario& scenario) { return camera_of_recording(scenario, loaded.file); });
+                [&](const Scenario& scenario) { return find_camera(scenario, loaded.file); });
   std::vector<std::string>& problems = given.problems;
   for (std::string& problem : explained_problems(given.values, reader))
     problems.push_back(std::move(problem));
@@ -140,6 +181,7 @@ void read(LoadedScenario& loaded, Given given) {
   for (const auto& [order, line] : reader.overrides()) loaded.overrides.push_back(line);
   for (const LeftOut& one : left_out_by_command_line(given.values, reader))
     loaded.overrides.push_back(one.note);
+  loaded.overrides.insert(loaded.overrides.end(), replaced.begin(), replaced.end());
   for (const Contradiction& found : find_contradictions(loaded.scenario)) {
     const auto setting = std::find_if(loaded.settings.begin(), loaded.settings.end(),
                                       [&](const SettingInForce& s) { return s.key == found.key; });
@@ -221,6 +263,8 @@ std::string effective_toml(const LoadedScenario& loaded) {
                   INCOGNITA_VERSION, one_line(loaded.name), one_line(shown(loaded.file)));
   std::string section;
   for (const SettingInForce& setting : loaded.settings) {
+    if (setting.key == camera_file)
+      continue;  // its values follow, so that the scenario stands without the file
     if (section_of(setting.key) != section) {
       section = section_of(setting.key);
       text += fmt::format("\n[{}]\n", section);

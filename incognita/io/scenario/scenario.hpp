@@ -125,6 +125,7 @@ struct FisheyeLens {
 };
 
 struct CameraSettings {
+  std::string file;  ///< of a calibration that replaces the defaults of all others; read by the loader
   std::variant<WideAngleLens, PinholeLens, FisheyeLens> model;
   int width_px = 320;
   int height_px = 240;
@@ -136,6 +137,10 @@ struct CameraSettings {
   static void describe(auto&& setting) {
     using namespace limits;
     using S = CameraSettings;
+    setting(
+        &S::file, "file", "", any(),
+        "Calibration file that gives all of [camera], as `incognita calibrate` writes it, or of Kalibr, ROS, OpenCV, "
+        "EuRoC or KITTI; beside the scenario, in the working folder or under the data folder; empty: none");
     setting(&S::model, "model", "", any(), "Projection and distortion model");
     setting(&S::width_px, "width_px", "px", between(16, 16384), "Width of the image");
     setting(&S::height_px, "height_px", "px", between(16, 16384), "Height of the image");

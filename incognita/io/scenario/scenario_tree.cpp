@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "incognita/messages/errors.hpp"
 #include "incognita/models/registry.hpp"
 
 namespace incognita {
@@ -301,15 +302,34 @@ void room_vehicle(SettingReader& r, Scenario& s) {
   controller(r, s, bodies_of(s));
 }
 
+/// A calibration replaces the defaults: that of `camera.file`, or of a recording without [camera].
+void camera(SettingReader& r, Scenario& s, const CameraFinder& find_camera) {
+  const bool of_recording = s.world.type == WorldSettings::Type::recording && !r.has_given("camera");
+  r.section("camera");
+  r.some(s.camera, &CameraSettings::file);
+  if (find_camera && (of_recording || !s.camera.file.empty())) try {
+      if (auto found = find_camera(s)) {
+        found->camera.file = s.camera.file;
+        s.camera = found->camera;
+        r.defaults_are(found->source);
+      }
+    } catch (const InputError& error) {
+      if (s.camera.file.empty()) throw;
+      r.refuse("camera.file", error.what());
+    }
+  read_camera(r, s.camera);
+  r.defaults_are("default");
+}
+
 /// A robot that carries a camera. Its own side avoids obstacles.
-void robot(SettingReader& r, Scenario& s) {
+void robot(SettingReader& r, Scenario& s, const CameraFinder& find_camera) {
   using F = FilterSettings;
   vehicle_model(r, s, {"terrain"});
   sensor_type(r, s, {"camera"});
   run(r, s, true, true);
   r.section("robot");
   r.all(s.robot);
-  read_camera(r, s.camera);
+  camera(r, s, find_camera);
   image_estimator(r, s);
   vehicle(r, s);
   r.section("estimator");
@@ -337,7 +357,7 @@ void exposure(SettingReader& r, ExposureSettings& e) {
   if (e.step_times_s.empty()) r.some(e, &E::step_interval_s);
 }
 
-void room(SettingReader& r, Scenario& s) {
+void room(SettingReader& r, Scenario& s, const CameraFinder& find_camera) {
   using R = RoomSettings;
   vehicle_model(r, s, {"free-camera", "terrain"});
   sensor_type(r, s, {"camera"});
@@ -346,7 +366,7 @@ void room(SettingReader& r, Scenario& s) {
   r.some(s.room, &R::size_m, &R::boxes, &R::texel_m, &R::sigma_image_gray, &R::clearance_m,
          &R::cover_lens_from_s);
   exposure(r, s.exposure);
-  read_camera(r, s.camera);
+  camera(r, s, find_camera);
   if (!s.is_room_vehicle()) room_motion(r, s);
   image_estimator(r, s);
   if (s.is_room_vehicle()) return room_vehicle(r, s);
@@ -376,22 +396,19 @@ void recorded_images(SettingReader& r, Scenario& s, const CameraFinder& find_cam
   if (format == Format::bag || format == Format::automatic)
     r.some(s.recording, &R::image_topic, &R::truth_topic);
   r.some(s.recording, &R::truth, &R::truth_offset_s, &R::truth_frame);
-  if (find_camera && !r.has_given("camera"))
-    if (auto found = find_camera(s)) s.camera = found->camera, r.defaults_are(found->source);
-  read_camera(r, s.camera);
-  r.defaults_are("default");
+  camera(r, s, find_camera);
   image_estimator(r, s);
   free_camera_decision(r, s);  // shown as advice: nothing controls the recorded motion
 }
 
 /// A camera that an operator holds, or that stands still.
-void live_camera(SettingReader& r, Scenario& s) {
+void live_camera(SettingReader& r, Scenario& s, const CameraFinder& find_camera) {
   vehicle_model(r, s, {"free-camera"});
   sensor_type(r, s, {"camera"});
   run(r, s, true, true);
   r.section("live");
   r.all(s.live);
-  read_camera(r, s.camera);
+  camera(r, s, find_camera);
   image_estimator(r, s);
   free_camera_decision(r, s);  // shown to the operator
 }
@@ -527,7 +544,7 @@ void prior_depth(SettingReader& r, Scenario& s, const Bodies& b) {
     r.some(s.slam.initialization, &I::max_linearity);
 }
 
-void points(SettingReader& r, Scenario& s) {
+void points(SettingReader& r, Scenario& s, const CameraFinder& find_camera) {
   // Bodies of this world are driven by commands, and not held in a hand
   s.slam.filter.sigma_acceleration_m_s2 = s.slam.filter.sigma_angular_acceleration_rad_s2 = 1;
   s.slam.filter.sigma_start_velocity_m_s = s.slam.filter.sigma_start_angular_rate_rad_s = 0.2;
@@ -546,7 +563,7 @@ void points(SettingReader& r, Scenario& s) {
   vehicle(r, s);
   if (b.in_space) accelerations(r, s);
   team_sensor(r, s, b);
-  if (b.camera) read_camera(r, s.camera);
+  if (b.camera) camera(r, s, find_camera);
   if (b.camera && (!b.in_space || carried)) mount(r, s);
   if (b.motion.space == Space::uneven_ground || s.plant.motion == TruePlantSettings::Motion::terrain)
     terrain(r, s);
@@ -583,15 +600,15 @@ void read_settings(SettingReader& r, Scenario& s, const CameraFinder& find_camer
   r.all(s.world);
   switch (s.world.type) {
     case WorldSettings::Type::room:
-      return room(r, s);
+      return room(r, s, find_camera);
     case WorldSettings::Type::points:
-      return points(r, s);
+      return points(r, s, find_camera);
     case WorldSettings::Type::recording:
       return recording(r, s, find_camera);
     case WorldSettings::Type::live:
-      return live_camera(r, s);
+      return live_camera(r, s, find_camera);
     case WorldSettings::Type::robot:
-      return robot(r, s);
+      return robot(r, s, find_camera);
   }
 }
 

@@ -9,13 +9,13 @@
 
 namespace incognita {
 
-/// A camera from the calibration of a recording, with its source.
+/// A camera from a calibration, with its source.
 struct FoundCamera {
   CameraSettings camera;
   std::string source;
 };
 
-/// Searches for the calibration of the recording of a scenario that gives no camera.
+/// Reads the calibration `camera.file`, or without one searches for that of the recording. Throws InputError.
 using CameraFinder = std::function<std::optional<FoundCamera>(const Scenario&)>;
 
 /// Visits every setting of the scenario from the top of the tree: world, sensor, vehicle, and what they need.

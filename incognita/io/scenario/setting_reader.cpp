@@ -30,6 +30,14 @@ bool SettingReader::has_given(std::string_view section) const {
   return at != given_.end() && at->first.starts_with(prefix);
 }
 
+void SettingReader::refuse(const std::string& key, const std::string& why) {
+  const auto setting =
+      std::find_if(settings_.begin(), settings_.end(), [&](const SettingInForce& s) { return s.key == key; });
+  if (setting == settings_.end())
+    throw std::logic_error("the setting " + key + " is refused before it is read");
+  problems_.push_back(fmt::format("{}: {} = {}: {}", setting->source, key, setting->value, why));
+}
+
 void SettingReader::read(const Setting& setting) {
   if (!visited_.insert(setting.key).second)
     throw std::logic_error("the setting " + setting.key + " is declared twice");

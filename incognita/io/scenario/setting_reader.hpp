@@ -90,6 +90,8 @@ class SettingReader {
   /// A value that replaces the default of settings visited later; `source` says where it comes from.
   void defaults_are(std::string source) { default_source_ = std::move(source); }
   bool has_given(std::string_view section) const;
+  /// Refuses the value of a setting that was visited.
+  void refuse(const std::string& key, const std::string& why);
 
   const std::vector<SettingInForce>& settings() const { return settings_; }
   bool has(const std::string& key) const { return visited_.contains(key); }

@@ -215,6 +215,8 @@ std::vector<std::string> explained_problems(const GivenValues& given, const Sett
 }
 
 std::vector<LeftOut> left_out_by_command_line(const GivenValues& given, const SettingReader& reader) {
+  const auto is_typed = [](const auto& entry) { return entry.second.back().order > 0; };
+  if (std::none_of(given.begin(), given.end(), is_typed)) return {};
   GivenValues in_file;
   for (const auto& [key, values] : given)
     if (values.front().order == 0) in_file[key] = {values.front()};

@@ -4,7 +4,7 @@ incognita_test(live_test SOURCES live/access_test.cpp live/browser_camera_test.c
                                  live/series_history_test.cpp live/url_test.cpp live/viewer_commands_test.cpp
                USES incognita::live nlohmann_json::nlohmann_json)
 # Separate, since it alone compiles a client
-incognita_test(server_test SOURCES live/server_test.cpp live/client.cpp
+incognita_test(server_test SOURCES live/server_test.cpp live/state_channel_test.cpp live/client.cpp
                USES incognita::live Boost::headers nlohmann_json::nlohmann_json Threads::Threads)
 incognita_test(robot_protocol_test SOURCES live/robot/rosbridge_test.cpp live/robot/ros_messages_test.cpp live/robot/watchdog_test.cpp
                USES incognita::live nlohmann_json::nlohmann_json)

@@ -13,19 +13,16 @@
 #include <utility>
 #include <vector>
 
-#include "incognita/app/commands/calibration_report.hpp"
+#include "incognita/app/commands/calibrate_live.hpp"
+#include "incognita/app/commands/calibration_output.hpp"
 #include "incognita/app/console/print_message.hpp"
 #include "incognita/app/console/progress.hpp"
 #include "incognita/io/calibrations/read_calibration.hpp"
 #include "incognita/io/calibrations/write_calibration.hpp"
-#include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/image_files.hpp"
-#include "incognita/io/formats/toml_value.hpp"
 #include "incognita/io/recordings/video.hpp"
 #include "incognita/io/recordings/video_images.hpp"
-#include "incognita/io/scenario/camera.hpp"
 #include "incognita/messages/errors.hpp"
-#include "incognita/messages/unfit_setting.hpp"
 #include "incognita/record/files/durable_file.hpp"
 #include "incognita/vision/calibration/guess_board.hpp"
 
@@ -38,6 +35,8 @@ struct CalibrateOptions {
   std::string board, model = "auto", out, format, convert, image_size, camera;
   double square_m = 0;
   bool json = false;
+  std::vector<std::string> view;  ///< the port, if the page is wanted
+  PageOptions page;
   std::vector<std::string> given;  ///< the names of the options on the command line
 };
 
@@ -47,52 +46,6 @@ void refuse_options(const CalibrateOptions& options, std::initializer_list<const
   for (const char* name : names)
     if (std::find(options.given.begin(), options.given.end(), name) != options.given.end())
       throw InputError(fmt::format("calibrate: {} {}; leave it out", name, why));
-}
-
-// ----------------------------------------------------------------------------------------------------------- the output file
-
-constexpr std::size_t largest_replaced = 1 << 20;  // bytes; a calibration has some hundreds
-
-struct OutputFile {
-  fs::path file;
-  CalibrationFormat format = CalibrationFormat::incognita;
-};
-
-/// The written file is a camera alone: it must not take the place of a scenario, or of anything else in TOML.
-void refuse_to_replace(const fs::path& file, CalibrationFormat format) {
-  if (!fs::exists(file) || (file.extension() != ".toml" && format != CalibrationFormat::incognita)) return;
-  const std::string remedy =
-      "it is not replaced: choose another file with --out, and copy the section [camera] from there";
-  TomlTable sections;
-  try {
-    sections = parse_toml(read_file(file, largest_replaced), file.string());
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("--out {}: exists, and cannot be read as a calibration ({}); {}",
-                                 file.string(), error.what(), remedy));
-  }
-  for (const TomlEntry& entry : sections)
-    if (entry.key != "camera")
-      throw InputError(
-          fmt::format("--out {}: exists, and has more than the section [camera] (`{}` in line {}); {}",
-                      file.string(), entry.key, entry.line, remedy));
-}
-
-/// Checked before the work: throws InputError for a folder that does not exist, a format that is not known, and a file that must
-/// not be replaced.
-std::optional<OutputFile> output_of(const CalibrateOptions& options) {
-  if (options.out.empty() && options.format.empty()) return std::nullopt;
-  if (options.out.empty()) throw InputError("calibrate: --format needs the file to write: --out FILE");
-  const fs::path file = options.out;
-  if (file.has_parent_path() && !fs::is_directory(file.parent_path()))
-    throw InputError(file.parent_path().string() +
-                     ": is no folder; create it, or choose another one with --out");
-  const auto format = options.format.empty() ? guess_written_format(file) : written_format(options.format);
-  if (!format)
-    throw InputError(fmt::format(
-        "--out {}: the ending tells no format; end it with .toml (incognita) or .yaml, or say --format kalibr, ros, opencv or incognita",
-        options.out));
-  refuse_to_replace(file, *format);
-  return OutputFile{file, *format};
 }
 
 // -------------------------------------------------------------------------------------------------------------- conversion
@@ -114,7 +67,8 @@ int convert(const CalibrateOptions& options) {
   if (!options.images.empty()) throw InputError("calibrate: images or --convert, not both");
   refuse_options(options, {"--board", "--square", "--model", "--json"},
                  "is for a calibration from images, and --convert reads a file");
-  const auto output = output_of(options);
+  refuse_options(options, {"--view", "--phone"}, "takes images of a camera, and --convert reads a file");
+  const auto output = calibration_output(options.out, options.format);
   const CalibrationFile read =
       read_calibration_file(options.convert, {options.camera, image_size_of(options)});
   print_message("calibrate: {}: recognized as {}\n", options.convert, name_of(read.format));
@@ -138,18 +92,25 @@ struct ChosenBoard {
   std::string source;
 };
 
-/// The board that is given, unless the images show a larger one; else the one that they show. Nothing if they show none.
-std::optional<ChosenBoard> choose_board(const CalibrateOptions& options, ImageSource& images) {
-  const GuessedBoard guess = guess_board(images);
-  if (options.board.empty()) {
-    if (!guess.board) return std::nullopt;
-    return ChosenBoard{*guess.board,
-                       fmt::format("guessed: {} of {} images show it", guess.shown, guess.tried)};
-  }
+/// --board; nothing without it.
+std::optional<BoardSize> given_board(const CalibrateOptions& options) {
+  if (options.board.empty()) return std::nullopt;
   const auto given = parse_board(options.board);
   if (!given)
     throw InputError(fmt::format("--board {}: must be the inner corners per row and column, 3 to 50, as 9x6",
                                  options.board));
+  return given;
+}
+
+/// The board that is given, unless the images show a larger one; else the one that they show. Nothing if they show none.
+std::optional<ChosenBoard> choose_board(const CalibrateOptions& options, ImageSource& images) {
+  const auto given = given_board(options);
+  const GuessedBoard guess = guess_board(images);
+  if (!given) {
+    if (!guess.board) return std::nullopt;
+    return ChosenBoard{*guess.board,
+                       fmt::format("guessed: {} of {} images show it", guess.shown, guess.tried)};
+  }
   if (guess.board && !guess.board->is_like(*given) && guess.board->corners() > given->corners())
     throw InputError(fmt::format(
         "--board {}: {} of {} images, {} the first, show a board of {} inner corners: use --board {} (corners are counted where four "
@@ -191,19 +152,8 @@ void explain_wrong_board(const CalibrateOptions& options, const CalibrationViews
       guess.example, guess.board->text(), guess.board->text());
 }
 
-/// A lens whose polynomial folds within the image has no ray for some pixels.
-void refuse_useless_lens(const CalibrationViews& views, CameraCalibration& calibration) {
-  if (!calibration.refusal.empty()) return;
-  try {
-    make_camera(camera_settings(*calibration.lens, views.width_px(), views.height_px()));
-  } catch (const UnfitSetting& error) {
-    calibration.refusal =
-        fmt::format("the fitted lens is of no use: {} {}; add views near the edges of the image",
-                    error.keys.front(), error.what());
-  }
-}
-
-CalibrationSettings settings_of(const CalibrateOptions& options, const std::optional<OutputFile>& output) {
+CalibrationSettings settings_of(const CalibrateOptions& options,
+                                const std::optional<CalibrationOutput>& output) {
   using Model = CalibrationSettings::Model;
   CalibrationSettings settings;
   if (options.model != "auto") settings.model = options.model == "fisheye" ? Model::fisheye : Model::pinhole;
@@ -220,33 +170,40 @@ int refuse_without_board(const CalibrateOptions& options) {
   return 1;
 }
 
+int calibrate_from_page(const CalibrateOptions& options) {
+  if (!options.images.empty()) throw InputError("calibrate: images or --view, not both");
+  refuse_options(options, {"--camera"}, "is for a file to --convert");
+  CalibrateLiveOptions live;
+  live.page = options.page;
+  if (!options.view.empty()) live.page.port = options.view.back();
+  live.settings.board = given_board(options);
+  const auto output = calibration_output(options.out.empty() ? "camera.toml" : options.out, options.format);
+  live.settings.fit = settings_of(options, output);
+  live.image_size_px = image_size_of(options);
+  live.reporting = {"", options.square_m, options.json};
+  live.output = *output;
+  return calibrate_live(live);
+}
+
 int calibrate(const CalibrateOptions& options) {
+  const bool from_page = !options.view.empty() || options.page.phone;
+  if (!from_page)
+    refuse_options(options, {"--view-address", "--allow-origin", "--https"}, "is for the page, with --view");
   if (!options.convert.empty()) return convert(options);
+  if (from_page) return calibrate_from_page(options);
   if (options.images.empty())
     throw InputError(
-        "calibrate: IMAGES are required: files, a folder of them, or a video; or a calibration file to --convert");
+        "calibrate: IMAGES are required: files, a folder of them, or a video; or --view to use the camera of a browser; or a "
+        "calibration file to --convert");
   refuse_options(options, {"--camera", "--image-size"},
                  "is for a file to --convert, and images tell their size themselves");
-  const auto output = output_of(options);
+  const auto output = calibration_output(options.out, options.format);
   const auto board = choose_board(options, *open(options));
   if (!board) return refuse_without_board(options);
   CalibrationViews views = collect(board->size, *open(options));
   CameraCalibration calibration = calibrate_camera(views, settings_of(options, output));
   explain_wrong_board(options, views, calibration);
-  refuse_useless_lens(views, calibration);
-  const bool refused = !calibration.refusal.empty();
-  CalibrationAnswer answer{views, calibration, board->source, options.square_m,
-                           refused || !output ? "" : options.out};
-  if (!answer.written.empty())
-    write_durably(output->file,
-                  calibration_text(camera_settings(*calibration.lens, views.width_px(), views.height_px()),
-                                   output->format, calibration_comment(answer)));
-  fmt::print("{}", options.json ? calibration_json(answer) : calibration_report(answer));
-  if (refused)
-    print_message("calibrate: refused: {}{}\n", calibration.refusal, output ? "; nothing is written" : "");
-  if (!answer.written.empty())
-    print_message("calibrate: written: {} ({})\n", options.out, name_of(output->format));
-  return refused ? 1 : 0;
+  return conclude_calibration(views, calibration, {board->source, options.square_m, options.json}, output);
 }
 
 }  // namespace
@@ -277,10 +234,15 @@ CLI::App* add_calibrate(CLI::App& app, std::function<int()>& job) {
   command->add_option("--convert", o->convert,
                       "Calibration file to read instead of images; without --out it is printed as [camera]");
   command->add_option("--camera", o->camera, "Camera of a converted file with several: cam1, P2 [the first]");
-  command->add_option("--image-size", o->image_size,
-                      "Size of the images in px, for converted files without it: 1241x376");
+  command->add_option(
+      "--image-size", o->image_size,
+      "Size of the images in px: of a converted file without it, or to ask of the camera with --view: 640x480");
+  command->add_flag(
+      "--view{0}", o->view,
+      "Use the camera of a browser: serve a page that takes the views; =PORT, else any free one [writes camera.toml]");
+  add_access_options(*command, o->page);
   command->footer(
-      "Examples:\n  incognita calibrate photos/ --square 0.025 --out camera.toml\n  incognita calibrate --convert camchain.yaml --out "
+      "Examples:\n  incognita calibrate photos/ --square 0.025 --out camera.toml\n  incognita calibrate --view --board 9x6\n  incognita calibrate --phone\n  incognita calibrate --convert camchain.yaml --out "
       "camera_info.yaml\n\ndocs/calibrate-a-camera.md says how to take the images.\n");
   command->callback([o, command, &job] {
     for (const CLI::Option* option : command->get_options())

@@ -26,17 +26,6 @@ constexpr std::chrono::seconds observe_every{2};
 /// A report is cubic in the size of the map. Pause between two, in times of the last one: other messages wait meanwhile.
 constexpr int least_pause = 20;
 
-/// iPhones let a page with a certificate of its own use WebSockets only once it was installed.
-constexpr const char* certificate_path = "/certificate.crt";
-constexpr std::size_t largest_certificate = 1u << 16;
-
-std::optional<HttpAnswer> certificate_answer(const std::filesystem::path& file) {
-  return HttpAnswer{200,
-                    "application/x-x509-ca-cert",
-                    std::make_shared<const std::string>(read_file(file, largest_certificate)),
-                    {}};
-}
-
 /// Whether a setting names a file, a device or an address.
 bool names_place(const SettingInForce& setting) {
   constexpr std::array others{"recording.folder", "recording.truth", "live.source", "robot.address"};
@@ -72,8 +61,7 @@ LivePage::LivePage(ServerSettings settings, std::string scenario, std::function<
   control_.on_change = [this](const LiveState& state) { channel_->set_state(state); };
   ServerHandlers handlers;
   handlers.public_answer = [certificate = settings.certificate](const HttpRequest& request) {
-    return request.path == certificate_path && !certificate.empty() ? certificate_answer(certificate)
-                                                                    : page_file(request.path);
+    return page_file(request.path, certificate);
   };
   handlers.answer = [this](const HttpRequest& request) { return answer(request); };
   handlers.protocols = {{PageChannel::subprotocol, channel_}, {BrowserCamera::subprotocol, camera_}};

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "incognita/io/formats/embedded.hpp"
+#include "incognita/io/formats/files.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -45,6 +46,15 @@ std::optional<HttpAnswer> page_file(std::string_view path) {
   static const Answers answers = all_answers();
   const auto found = answers.find(path == "/" ? "/index.html" : path);
   return found == answers.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<HttpAnswer> page_file(std::string_view path, const std::filesystem::path& certificate) {
+  if (path != "/certificate.crt" || certificate.empty()) return page_file(path);
+  constexpr std::size_t largest = 1u << 16;
+  return HttpAnswer{200,
+                    "application/x-x509-ca-cert",
+                    std::make_shared<const std::string>(read_file(certificate, largest)),
+                    {}};
 }
 
 void check_page_is_complete() {

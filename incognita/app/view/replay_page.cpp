@@ -24,7 +24,9 @@ ReplayPage::ReplayPage(const std::vector<std::filesystem::path>& runs, ServerSet
   check_page_is_complete();
   for (const std::filesystem::path& run : runs) runs_.add(run);
   ServerHandlers handlers;
-  handlers.public_answer = [](const HttpRequest& request) { return page_file(request.path); };
+  handlers.public_answer = [certificate = settings.certificate](const HttpRequest& request) {
+    return page_file(request.path, certificate);
+  };
   handlers.answer = [this](const HttpRequest& request) { return answer(request); };
   handlers.log = [](const std::string& line) { print_message("view: {}\n", line); };
   server_ = std::make_unique<Server>(std::move(settings), std::move(handlers));

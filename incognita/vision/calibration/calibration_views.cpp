@@ -19,23 +19,13 @@ constexpr double max_edge_of_side = 0.5;
 /// Mean distance of the corners of two views, as a part of the width of the image, below which the second adds only its noise.
 constexpr double min_difference = 0.015;
 
-/// Mean distance of the corners in px, whichever end of the board is the first.
-double difference_px(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b) {
-  double same = 0, turned = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    same += (a[i] - b[i]).norm();
-    turned += (a[i] - b[b.size() - 1 - i]).norm();
-  }
-  return std::min(same, turned) / static_cast<double>(a.size());
-}
-
 }  // namespace
 
 std::string CalibrationViews::why_similar(const CalibrationView& view) const {
   const double least_px = min_difference * width_px_;
   for (const CalibrationView& other : views_) {
     if (!other.refusal.empty()) continue;
-    const double apart_px = difference_px(view.corners, other.corners);
+    const double apart_px = mean_distance_px(view.corners, other.corners);
     if (apart_px < least_px)
       return fmt::format(
           "nearly the same as {}: its corners are {:.1f} px apart in the mean, and must be {:.1f}",
@@ -99,7 +89,8 @@ void CalibrationViews::keep_most_different(std::size_t most) {
     for (std::size_t i = 0; i < views_.size(); ++i)
       if (nearest_px[i] > 0)
         nearest_px[i] =
-            i == next ? 0 : std::min(nearest_px[i], difference_px(views_[i].corners, views_[next].corners));
+            i == next ? 0
+                      : std::min(nearest_px[i], mean_distance_px(views_[i].corners, views_[next].corners));
   }
   for (std::size_t i = 0; i < views_.size(); ++i)
     if (views_[i].refusal.empty() && !chosen[i])

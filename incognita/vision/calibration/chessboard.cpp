@@ -43,6 +43,15 @@ double least_side(const Points& corners, const BoardSize& board) {
 
 }  // namespace
 
+double mean_distance_px(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b) {
+  double same = 0, turned = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    same += (a[i] - b[i]).norm();
+    turned += (a[i] - b[b.size() - 1 - i]).norm();
+  }
+  return std::min(same, turned) / static_cast<double>(a.size());
+}
+
 std::optional<BoardSize> parse_board(const std::string& text) {
   BoardSize board;
   const char* const end = text.data() + text.size();

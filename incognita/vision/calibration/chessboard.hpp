@@ -30,6 +30,9 @@ struct Chessboard {
   double edge_width_px = 0;              ///< see edge_width.hpp
 };
 
+/// Mean distance in px of the corners of the same board in two images, whichever end of it is the first.
+double mean_distance_px(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b);
+
 /// Size from the text "9x6"; nothing unless it has two numbers of 3 to 50.
 std::optional<BoardSize> parse_board(const std::string& text);
 

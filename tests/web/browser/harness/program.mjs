@@ -19,7 +19,7 @@ export function runFolder() {
  * A program that serves the page, ended after the test.
  * @param {import('node:test').TestContext} t
  * @param {string[]} args
- * @returns {Promise<{address: string, port: number, pid: number, output: () => string, end: () => Promise<number>}>}
+ * @returns {Promise<{address: string, port: number, pid: number, output: () => string, exited: Promise<number>, end: () => Promise<number>}>}
  */
 export async function serve(t, args) {
   const child = spawn(program, args, { stdio: ['ignore', 'ignore', 'pipe'] });
@@ -42,7 +42,7 @@ export async function serve(t, args) {
     child.on('error', reject);
     exited.then((code) => reject(new Error(`the program ended with ${code}: ${output}`)));
   }), 'the address of the page');
-  return { address, port: Number(new URL(address).port), pid: child.pid, output: () => output, end };
+  return { address, port: Number(new URL(address).port), pid: child.pid, output: () => output, exited, end };
 }
 
 /**

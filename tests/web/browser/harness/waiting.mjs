@@ -18,13 +18,13 @@ export function before(promise, what, limitMs = LIMIT_MS) {
 }
 
 /**
- * @template T @param {() => T} condition @param {string} what @param {number} [limitMs]
+ * @template T @param {() => T | Promise<T>} condition @param {string} what @param {number} [limitMs]
  * @returns {Promise<T>} the first value of the condition that is true
  */
 export async function until(condition, what, limitMs = LIMIT_MS) {
   const start = Date.now();
   for (;;) {
-    const value = condition();
+    const value = await condition();
     if (value) return value;
     if (Date.now() - start > limitMs) throw new Error(`waited ${limitMs / 1000} s for ${what}`);
     await pass(POLL_MS);

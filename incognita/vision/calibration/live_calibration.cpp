@@ -1,0 +1,81 @@
+#include "incognita/vision/calibration/live_calibration.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace incognita {
+namespace {
+
+constexpr std::size_t images_for_guess = 3;
+/// Mean speed of the corners, as a part of the width of the image per second. A board that moves faster is sheared by a rolling
+/// shutter (30 ms from the first row to the last: 0.15 % of the width), even where it looks sharp.
+constexpr double most_speed_per_s = 0.05;
+constexpr double most_gap_s = 1;  // between two images whose corners are compared
+
+}  // namespace
+
+LiveCalibration::LiveCalibration(const LiveCalibrationSettings& settings) : settings_(settings) { restart(); }
+
+void LiveCalibration::restart() {
+  taken_.reset();
+  fitted_views_.reset();
+  last_.reset();
+  shown_.clear();
+  newest_ = {};
+  calibration_ = {};
+  calibration_.refusal = "no view yet";
+  if (!settings_.board) return;
+  taken_.emplace(*settings_.board);
+  fit();
+}
+
+void LiveCalibration::add(double t, const Image& image) {
+  ++images_;
+  newest_ = {};
+  if (!taken_) return guess_board(image);
+  if (taken_->used() >= most_views) {
+    newest_.refusal = fmt::format("{} views are enough: finish, or start again", most_views);
+    return;
+  }
+  CalibrationView view = taken_->add(fmt::format("view {}", taken_->used() + 1), image);
+  if (view.refusal.empty()) view.refusal = why_moving(t, view.corners);
+  newest_ = {view.refusal, view.corners};
+  if (view.corners.empty())
+    last_.reset();
+  else
+    last_ = Seen{t, view.corners};
+  if (view.refusal.empty())
+    fit();
+  else
+    taken_->drop_newest();
+}
+
+void LiveCalibration::guess_board(const Image& image) {
+  const auto board = largest_board(image);
+  newest_.refusal =
+      board ? fmt::format("a board of {} inner corners: keep it in the image", board->text())
+            : "no board: all of it must be in the image, with a white margin, sharp and evenly lit";
+  if (!board) return;
+  shown_.push_back(*board);
+  if (shown_.size() < images_for_guess) return;
+  taken_.emplace(*most_frequent(shown_));
+  fit();
+}
+
+/// The board in the image before tells the speed: without one there, the next image decides.
+std::string LiveCalibration::why_moving(double t, const std::vector<Eigen::Vector2d>& corners) const {
+  if (!last_ || !(t > last_->t) || t - last_->t > most_gap_s) return "hold the board still";
+  const double speed_px_s = mean_distance_px(corners, last_->corners) / (t - last_->t);
+  const double most_px_s = most_speed_per_s * taken_->width_px();
+  if (speed_px_s <= most_px_s) return "";
+  return fmt::format("moves: hold the board still (its corners move by {:.0f} px/s, and may by {:.0f})",
+                     speed_px_s, most_px_s);
+}
+
+void LiveCalibration::fit() {
+  fitted_views_ = taken_;
+  calibration_ = calibrate_camera(*fitted_views_, settings_.fit);
+}
+
+}  // namespace incognita

@@ -1,0 +1,111 @@
+// camera.file: a scenario takes its camera from a calibration file.
+#include <gtest/gtest.h>
+
+#include "incognita/io/scenario/load_scenario.hpp"
+#include "tests/scratch.hpp"
+
+namespace incognita {
+namespace {
+
+using testing::message_of;
+using testing::Scratch;
+
+const std::string kalibr =
+    "cam0:\n  camera_model: pinhole\n  intrinsics: [420.5, 421.25, 322, 241]\n  distortion_model: equidistant\n"
+    "  distortion_coeffs: [0.01, -0.02, 0.003, -0.001]\n  resolution: [640, 480]\n";
+const std::string live = "[world]\ntype = \"live\"\n";
+const std::string from_file = live + "[camera]\nfile = \"camchain.yaml\"\n";
+
+struct Folder {
+  Scratch scratch;
+  std::string scenario;
+
+  explicit Folder(const std::string& toml, const std::string& calibration = kalibr) {
+    scenario = scratch.write("mine.toml", toml).string();
+    if (!calibration.empty()) scratch.write("camchain.yaml", calibration);
+  }
+  LoadedScenario load(const std::vector<std::string>& sets = {}) const {
+    return load_scenario(scenario, sets);
+  }
+  std::string complaint(const std::vector<std::string>& sets = {}) const {
+    return message_of([&] { load(sets); });
+  }
+};
+
+void expect_camera_of_file(const Scenario& scenario) {
+  const CameraSettings& camera = scenario.camera;
+  EXPECT_EQ(camera.width_px, 640);
+  EXPECT_EQ(camera.fu_px, 420.5);
+  EXPECT_EQ(camera.fv_px, 421.25);
+  EXPECT_EQ(camera.u0_px, 322);
+  ASSERT_TRUE(std::holds_alternative<FisheyeLens>(camera.model));
+  EXPECT_EQ(std::get<FisheyeLens>(camera.model).k2, -0.02);
+}
+
+TEST(CameraFile, GivesTheWholeCamera) {
+  const Folder folder(from_file);
+  const LoadedScenario loaded = folder.load();
+  expect_camera_of_file(loaded.scenario);
+  EXPECT_HAS(loaded.source_of("camera.fu_px"), "as ");
+  EXPECT_HAS(loaded.source_of("camera.fu_px"), "camchain.yaml");
+  EXPECT_HAS(loaded.source_of("camera.file"), "mine.toml:4");
+}
+
+TEST(CameraFile, IsNotNeededByTheEffectiveSettings) {
+  const Folder folder(from_file);
+  const std::string effective = effective_toml(folder.load());
+  const Scratch elsewhere;
+  expect_camera_of_file(load_scenario(elsewhere.write("again.toml", effective).string()).scenario);
+}
+
+TEST(CameraFile, OfEveryWorldWithACamera) {
+  for (const char* world : {"room", "points", "robot"})
+    expect_camera_of_file(
+        Folder(std::string("[world]\ntype = \"") + world + "\"\n[camera]\nfile = \"camchain.yaml\"\n")
+            .load()
+            .scenario);
+}
+
+TEST(CameraFile, BesideOtherValuesInTheSameScenarioIsRefused) {
+  const Folder folder(from_file + "fu_px = 500\nmodel = \"pinhole\"\n");
+  const std::string complaint = folder.complaint();
+  EXPECT_HAS(complaint, "mine.toml:5: camera.fu_px: the camera is that of camera.file (");
+  EXPECT_HAS(complaint, "mine.toml:6: camera.model: the camera is that of camera.file (");
+}
+
+TEST(CameraFile, OfTheCommandLineReplacesTheCameraOfTheScenario) {
+  const Folder folder(live + "[camera]\nmodel = \"pinhole\"\nwidth_px = 320\nk1 = 0.1\n");
+  const LoadedScenario loaded = folder.load({"camera.file=camchain.yaml"});
+  expect_camera_of_file(loaded.scenario);
+  std::string notes;
+  for (const std::string& line : loaded.overrides) notes += line + "\n";
+  for (const char* key : {"camera.model", "camera.width_px", "camera.k1"})
+    EXPECT_HAS(notes, std::string(key) + " (");
+  EXPECT_HAS(notes, "is left out: camera.file (--set) replaces it");
+}
+
+TEST(CameraFile, YieldsToTheCommandLine) {
+  const LoadedScenario loaded = Folder(from_file).load({"camera.fu_px=500"});
+  EXPECT_EQ(loaded.scenario.camera.fu_px, 500);
+  EXPECT_EQ(loaded.scenario.camera.fv_px, 421.25);
+  const LoadedScenario without = Folder(from_file, "").load({"camera.file=\"\""});
+  EXPECT_EQ(without.scenario.camera.fu_px, CameraSettings{}.fu_px);
+}
+
+TEST(CameraFile, ThatIsMissingOrDamagedIsRefusedWithItsPlace) {
+  EXPECT_HAS(Folder(from_file, "").complaint(),
+             "mine.toml:4: camera.file = \"camchain.yaml\": there is no such file");
+  const std::string damaged = Folder(from_file, "cam0:\n  intrinsics: [1, 2]\n").complaint();
+  EXPECT_HAS(damaged, "mine.toml:4: camera.file = \"camchain.yaml\": ");
+  EXPECT_HAS(damaged, "camchain.yaml");
+  EXPECT_HAS(Folder(live + "[camera]\nfile = 3\n").complaint(), "camera.file = 3: must be a text");
+}
+
+TEST(CameraFile, DoesNotHideASettingOfAnotherLens) {
+  EXPECT_HAS(Folder(from_file + "kd1_per_px2 = 1e-6\n").complaint(),
+             "camera.kd1_per_px2: the camera is that of camera.file");
+  EXPECT_HAS(Folder(from_file).complaint({"camera.kd1_per_px2=1e-6"}), "camera.kd1_per_px2");
+}
+
+}  // namespace
+}  // namespace incognita

@@ -177,6 +177,13 @@ TEST(ProgramCalibrate, RefusesOptionsThatDoNotApply) {
   EXPECT_SAYS(refusal_of({"--convert", "cam.txt", "--json"}), "--json is for a calibration from images");
   EXPECT_SAYS(refusal_of({"photos", "--camera", "cam1"}), "--camera is for a file to --convert");
   EXPECT_SAYS(refusal_of({"photos", "--image-size", "320x240"}), "--image-size is for a file to --convert");
+  EXPECT_SAYS(refusal_of({"photos", "--view"}), "images or --view, not both");
+  EXPECT_SAYS(refusal_of({"photos", "--https"}), "--https is for the page, with --view");
+  EXPECT_SAYS(refusal_of({"--view", "--camera", "cam1"}), "--camera is for a file to --convert");
+  EXPECT_SAYS(refusal_of({"--view", "--board", "9"}), "--board 9: must be the inner corners");
+  EXPECT_SAYS(refusal_of({"--view", "--image-size", "640"}), "--image-size 640: must be width and height");
+  EXPECT_SAYS(refusal_of({"--phone", "--out", "gone/camera.toml"}), "gone: is no folder");
+  EXPECT_SAYS(refusal_of({"--convert", "camchain.yaml", "--view"}), "--view takes images of a camera");
 }
 
 TEST(ProgramCalibrate, ConvertsFiles) {

@@ -7,7 +7,8 @@ const SQUARES = { columns: 10, rows: 7 }; // 9x6 inner corners
 
 /** Gray of the plane of the board at (x, y), in squares from its center: squares in a white margin on a gray wall. @param {number} x @param {number} y */
 function grayAt(x, y) {
-  const [column, row] = [x + SQUARES.columns / 2, y + SQUARES.rows / 2];
+  const column = x + SQUARES.columns / 2;
+  const row = y + SQUARES.rows / 2;
   if (column < -1 || row < -1 || column > SQUARES.columns + 1 || row > SQUARES.rows + 1) return 110;
   if (column < 0 || row < 0 || column >= SQUARES.columns || row >= SQUARES.rows) return 225;
   return (Math.floor(column) + Math.floor(row)) % 2 === 0 ? 30 : 225;
@@ -28,24 +29,22 @@ function rotation(a, b) {
  * @param {Place} place @param {number} [samples] per pixel and axis
  * @returns {Buffer} gray, row by row
  */
-function photograph({ center, tilts }, samples = 4) {
-  const R = rotation(...tilts);
-  const normal = R.map((row) => row[2]);
+function photograph({ center, tilts }, samples = 3) {
+  const [R0, R1, R2] = rotation(...tilts);
   const { width, height, f, u0, v0 } = CAMERA;
   const gray = Buffer.alloc(width * height);
-  const along = normal[0] * center[0] + normal[1] * center[1] + normal[2] * center[2];
+  const along = R0[2] * center[0] + R1[2] * center[1] + R2[2] * center[2];
   for (let v = 0; v < height; ++v)
     for (let u = 0; u < width; ++u) {
       let sum = 0;
       for (let k = 0; k < samples * samples; ++k) {
-        const ray = [
-          (u + ((k % samples) + 0.5) / samples - 0.5 - u0) / f,
-          (v + (Math.floor(k / samples) + 0.5) / samples - 0.5 - v0) / f,
-          1,
-        ];
-        const scale = along / (normal[0] * ray[0] + normal[1] * ray[1] + normal[2]);
-        const d = ray.map((value, i) => scale * value - center[i]);
-        sum += scale > 0 ? grayAt(...[0, 1].map((j) => R[0][j] * d[0] + R[1][j] * d[1] + R[2][j] * d[2])) : 110;
+        const x = (u + ((k % samples) + 0.5) / samples - 0.5 - u0) / f;
+        const y = (v + (Math.floor(k / samples) + 0.5) / samples - 0.5 - v0) / f;
+        const scale = along / (R0[2] * x + R1[2] * y + R2[2]);
+        const dx = scale * x - center[0];
+        const dy = scale * y - center[1];
+        const dz = scale - center[2];
+        sum += scale > 0 ? grayAt(R0[0] * dx + R1[0] * dy + R2[0] * dz, R0[1] * dx + R1[1] * dy + R2[1] * dz) : 110;
       }
       gray[v * width + u] = sum / (samples * samples);
     }

@@ -13,7 +13,7 @@ using testing::Scratch;
 const std::string kalibr =
     "cam0:\n  camera_model: pinhole\n  intrinsics: [420.5, 421.25, 322, 241]\n  distortion_model: equidistant\n"
     "  distortion_coeffs: [0.01, -0.02, 0.003, -0.001]\n  resolution: [640, 480]\n";
-const std::string live = "[world]\ntype = \"live\"\n";
+const std::string live = "[start]\nfrom = \"free\"\n[world]\ntype = \"live\"\n";
 const std::string from_file = live + "[camera]\nfile = \"camchain.yaml\"\n";
 
 struct Folder {
@@ -48,7 +48,7 @@ TEST(CameraFile, GivesTheWholeCamera) {
   expect_camera_of_file(loaded.scenario);
   EXPECT_HAS(loaded.source_of("camera.fu_px"), "as ");
   EXPECT_HAS(loaded.source_of("camera.fu_px"), "camchain.yaml");
-  EXPECT_HAS(loaded.source_of("camera.file"), "mine.toml:4");
+  EXPECT_HAS(loaded.source_of("camera.file"), "mine.toml:6");
 }
 
 TEST(CameraFile, IsNotNeededByTheEffectiveSettings) {
@@ -59,18 +59,17 @@ TEST(CameraFile, IsNotNeededByTheEffectiveSettings) {
 }
 
 TEST(CameraFile, OfEveryWorldWithACamera) {
-  for (const char* world : {"room", "points", "robot"})
-    expect_camera_of_file(
-        Folder(std::string("[world]\ntype = \"") + world + "\"\n[camera]\nfile = \"camchain.yaml\"\n")
-            .load()
-            .scenario);
+  const std::string file = "[camera]\nfile = \"camchain.yaml\"\n", start = "[start]\nfrom = \"free\"\n";
+  for (const std::string& toml : {"[world]\ntype = \"room\"\n" + start, "[world]\ntype = \"robot\"\n" + start,
+                                  std::string("[world]\ntype = \"points\"\n")})
+    expect_camera_of_file(Folder(toml + file).load().scenario);
 }
 
 TEST(CameraFile, BesideOtherValuesInTheSameScenarioIsRefused) {
   const Folder folder(from_file + "fu_px = 500\nmodel = \"pinhole\"\n");
   const std::string complaint = folder.complaint();
-  EXPECT_HAS(complaint, "mine.toml:5: camera.fu_px: the camera is that of camera.file (");
-  EXPECT_HAS(complaint, "mine.toml:6: camera.model: the camera is that of camera.file (");
+  EXPECT_HAS(complaint, "mine.toml:7: camera.fu_px: the camera is that of camera.file (");
+  EXPECT_HAS(complaint, "mine.toml:8: camera.model: the camera is that of camera.file (");
 }
 
 TEST(CameraFile, OfTheCommandLineReplacesTheCameraOfTheScenario) {
@@ -94,9 +93,9 @@ TEST(CameraFile, YieldsToTheCommandLine) {
 
 TEST(CameraFile, ThatIsMissingOrDamagedIsRefusedWithItsPlace) {
   EXPECT_HAS(Folder(from_file, "").complaint(),
-             "mine.toml:4: camera.file = \"camchain.yaml\": there is no such file");
+             "mine.toml:6: camera.file = \"camchain.yaml\": there is no such file");
   const std::string damaged = Folder(from_file, "cam0:\n  intrinsics: [1, 2]\n").complaint();
-  EXPECT_HAS(damaged, "mine.toml:4: camera.file = \"camchain.yaml\": ");
+  EXPECT_HAS(damaged, "mine.toml:6: camera.file = \"camchain.yaml\": ");
   EXPECT_HAS(damaged, "camchain.yaml");
   EXPECT_HAS(Folder(live + "[camera]\nfile = 3\n").complaint(), "camera.file = 3: must be a text");
 }

@@ -113,11 +113,21 @@ TEST(LiveCalibration, AfterARestartTakesImagesOfAnotherSize) {
   EXPECT_EQ(one.used(), 0u);
 }
 
-TEST(LiveCalibration, EndsAtEnoughViews) {
+TEST(LiveCalibration, EndsAtEnoughViewsAllOfWhichAreFitted) {
   Operator one;
-  for (const BoardPlace& place : testing::careful_places(260.0 / 320, 80)) one.hold(place);
+  std::size_t fitted = 0;
+  for (const BoardPlace& place : testing::careful_places(260.0 / 320, 60)) {
+    one.hold(place);
+    if (one.used() == 13) {  // the last three have no residuals yet
+      EXPECT_EQ(one.live.calibration().boards.size(), one.live.views()->views().size());
+      one.live.finish();
+      for (const double rms_px : one.live.calibration().view_rms_px) fitted += rms_px > 0;
+      EXPECT_EQ(fitted, one.used());
+    }
+  }
+  EXPECT_GT(fitted, 0u);
   EXPECT_EQ(one.live.views()->views().size(), LiveCalibration::most_views);
-  EXPECT_HAS(one.show(frontal), "40 views are enough: finish, or start again");
+  EXPECT_HAS(one.show(frontal), "30 views are enough: finish, or start again");
 }
 
 }  // namespace

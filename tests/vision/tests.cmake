@@ -1,4 +1,6 @@
 incognita_test(vision_test SOURCES vision/search_test.cpp vision/patch_test.cpp vision/pyramid_test.cpp vision/corners_test.cpp vision/descriptor_test.cpp
                USES incognita::vision incognita::math)
-incognita_test(camera_calibration_test SOURCES vision/calibration_test.cpp vision/live_calibration_test.cpp
+incognita_test(camera_calibration_test SOURCES vision/calibration_test.cpp
                USES incognita::calibration incognita::models incognita::io)
+incognita_test(live_calibration_test SOURCES vision/live_calibration_test.cpp
+               USES incognita::calibration incognita::models)

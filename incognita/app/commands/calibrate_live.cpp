@@ -81,7 +81,7 @@ int calibrate_live(const CalibrateLiveOptions& options) {
   const auto [width_px, height_px] = options.image_size_px.value_or(std::pair{0, 0});
   LiveCalibration live(options.settings);
   CalibrationPage page(server_settings(options.page), width_px, height_px);
-  print_message("the page is at {}; Ctrl-C ends with the views taken until then\n{}", page.address(),
+  print_message("the page is at {}\n{}Ctrl-C ends with the views taken until then\n", page.address(),
                 hint_for_other_machines(options.page, page.address()));
   open_in_browser(page.address());
   take_images(live, page, options);
@@ -89,6 +89,7 @@ int calibrate_live(const CalibrateLiveOptions& options) {
     print_message("calibrate: refused: no image showed a board; nothing is written\n");
     return 1;
   }
+  live.finish();
   CameraCalibration calibration = live.calibration();
   const int code = conclude_calibration(*live.views(), calibration, options.reporting, options.output);
   page.put(state_json(live, options,

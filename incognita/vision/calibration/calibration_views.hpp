@@ -25,6 +25,8 @@ class CalibrationViews {
   /// Searches the board and decides whether the view is of use: refused are views without the whole board, of another size than
   /// the first image, blurred, too small or oblique, or nearly the same as one before. The reference is valid until the next call.
   const CalibrationView& add(const std::string& name, const Image& image);
+  /// A view of the same board that was judged before.
+  void add(const CalibrationView& view) { views_.push_back(view); }
   /// Forgets the view that was added last.
   void drop_newest() { views_.pop_back(); }
   /// An image that could not be read.

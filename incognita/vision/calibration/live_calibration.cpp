@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <utility>
 
 namespace incognita {
 namespace {
 
 constexpr std::size_t images_for_guess = 3;
+constexpr std::size_t often_fitted = 10, views_between_fits = 5;
 /// Mean speed of the corners, as a part of the width of the image per second. A board that moves faster is sheared by a rolling
 /// shutter (30 ms from the first row to the last: 0.15 % of the width), even where it looks sharp.
 constexpr double most_speed_per_s = 0.05;
@@ -24,6 +26,7 @@ void LiveCalibration::restart() {
   shown_.clear();
   newest_ = {};
   calibration_ = {};
+  unfitted_ = 0;
   calibration_.refusal = "no view yet";
   if (!settings_.board) return;
   taken_.emplace(*settings_.board);
@@ -46,9 +49,21 @@ void LiveCalibration::add(double t, const Image& image) {
   else
     last_ = Seen{t, view.corners};
   if (view.refusal.empty())
-    fit();
+    take(view);
   else
     taken_->drop_newest();
+}
+
+void LiveCalibration::take(const CalibrationView& view) {
+  ++unfitted_;
+  if (taken_->used() <= often_fitted || unfitted_ == views_between_fits) return fit();
+  fitted_views_->add(view);
+  calibration_.view_rms_px.push_back(std::numeric_limits<double>::quiet_NaN());
+  calibration_.boards.emplace_back();
+}
+
+void LiveCalibration::finish() {
+  if (unfitted_ > 0) fit();
 }
 
 void LiveCalibration::guess_board(const Image& image) {
@@ -74,6 +89,7 @@ std::string LiveCalibration::why_moving(double t, const std::vector<Eigen::Vecto
 }
 
 void LiveCalibration::fit() {
+  unfitted_ = 0;
   fitted_views_ = taken_;
   calibration_ = calibrate_camera(*fitted_views_, settings_.fit);
 }

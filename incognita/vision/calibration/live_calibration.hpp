@@ -25,26 +25,30 @@ struct JudgedImage {
 class LiveCalibration {
  public:
   /// As many views determine a camera; each further one makes the fit slower.
-  static constexpr std::size_t most_views = 40;
+  static constexpr std::size_t most_views = 30;
 
   explicit LiveCalibration(const LiveCalibrationSettings& settings);
 
-  /// Judges an image, and fits the lens again if it is a view. `t`: when it was taken, s.
+  /// Judges an image, and takes it if it is a view. The lens is fitted again after each of the first ten views, then after every
+  /// fifth: the time of a fit grows with their number. `t`: when the image was taken, s.
   void add(double t, const Image& image);
+  /// Fits the lens to all views, unless it is.
+  void finish();
   /// Forgets all views and the board, unless that was given.
   void restart();
 
   const JudgedImage& newest() const { return newest_; }
   std::size_t images() const { return images_; }
-  /// The views that the last fit used, and those that it refused as outliers. None until the size of the board is known.
+  /// The views that were taken, and among them those that the last fit refused as outliers. None until the size of the board is known.
   const std::optional<CalibrationViews>& views() const { return fitted_views_; }
-  /// Of these views; with a refusal as long as they do not determine the camera.
+  /// The last fit; with a refusal as long as the views do not determine the camera.
   const CameraCalibration& calibration() const { return calibration_; }
   bool board_is_guessed() const { return !settings_.board; }
 
  private:
   void guess_board(const Image& image);
   std::string why_moving(double t, const std::vector<Eigen::Vector2d>& corners) const;
+  void take(const CalibrationView& view);
   void fit();
 
   struct Seen {
@@ -60,7 +64,7 @@ class LiveCalibration {
   std::optional<Seen> last_;  ///< the board in the image before
   CameraCalibration calibration_;
   JudgedImage newest_;
-  std::size_t images_ = 0;
+  std::size_t images_ = 0, unfitted_ = 0;  ///< views since the last fit
 };
 
 }  // namespace incognita

@@ -51,8 +51,8 @@ test('the camera of the video is found, and bad images are refused with the reas
   for (const [key, truth, size] of [['fu_px', f, f], ['fv_px', f, f], ['u0_px', u0, 320], ['v0_px', v0, 240]])
     assert(Math.abs(valueOf(toml, key) - truth) < 0.01 * size, `${key} = ${valueOf(toml, key)}, and is ${truth}`);
   t.diagnostic(`fu ${valueOf(toml, 'fu_px')}, fv ${valueOf(toml, 'fv_px')}, u0 ${valueOf(toml, 'u0_px')}, v0 ${valueOf(toml, 'v0_px')}`);
-  const config = execFileSync(process.env.INCOGNITA, ['config', 'hand', '--set', `camera.file=${out}`], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
-  assert.equal(valueOf(config, 'fu_px'), valueOf(toml, 'fu_px'));
+  const config = JSON.parse(execFileSync(process.env.INCOGNITA, ['config', 'hand', '--json', '--set', `camera.file=${out}`], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }));
+  assert.equal(config.settings.find(({ key }) => key === 'camera.fu_px').value, valueOf(toml, 'fu_px'));
 });
 
 test('without enough views nothing is written, and the board is guessed', async (t) => {

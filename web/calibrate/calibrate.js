@@ -63,6 +63,6 @@ camera.on('change', show);
   picture,
   element('div', { class: 'actions' }, use, finish, restart),
   words,
-  element('div', { class: 'results' }, panel('Views', 'views', summary), panel('Camera', 'camera-result', table)),
+  element('div', { class: 'results' }, panel('Views', 'taken-views', summary), panel('Camera', 'camera-result', table)),
 );
 show();

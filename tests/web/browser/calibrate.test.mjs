@@ -37,8 +37,8 @@ test('the camera of the video is found, and bad images are refused with the reas
   const { program, page, advices } = await calibration(t, ['--board', '9x6', '--image-size', '320x240', '--out', out]);
   const finish = page.getByRole('button', { name: 'Finish and write camera.toml' });
   assert(await finish.isDisabled(), 'there are no views yet');
-  await until(async () => /view(s)? determine the camera/.test(await page.locator('.views').innerText()), 'enough views', 90000);
-  await until(async () => /\b[89] views/.test(await page.locator('.views').innerText()), 'most of the nine views', 90000);
+  await until(async () => /view(s)? determine the camera/.test(await page.locator('.taken-views').innerText()), 'enough views', 90000);
+  await until(async () => /\b[89] views/.test(await page.locator('.taken-views').innerText()), 'most of the nine views', 90000);
   const seen = await advices();
   for (const part of [/no board with 9x6 inner corners/, /blurred: the edges/, /hold the board still/, /View taken/])
     assert.match(seen, part);
@@ -58,7 +58,7 @@ test('the camera of the video is found, and bad images are refused with the reas
 test('without enough views nothing is written, and the board is guessed', async (t) => {
   const out = join(folder, 'none.toml');
   const { program, page } = await calibration(t, ['--image-size', '320x240', '--out', out]);
-  await until(async () => /board with (9x6|6x9) inner corners \(guessed/.test(await page.locator('.views').innerText()), 'the size of the board', 90000);
+  await until(async () => /board with (9x6|6x9) inner corners \(guessed/.test(await page.locator('.taken-views').innerText()), 'the size of the board', 90000);
   assert.equal(await program.end(), 1);
   assert.match(program.output(), /calibrate: refused: .*; nothing is written/);
   assert(!existsSync(out));

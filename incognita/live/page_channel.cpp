@@ -141,6 +141,14 @@ void PageChannel::refuse(const std::string& of, const std::string& why) {
   server_->post([this, of, why] { send_to_all(refusal(of, why)); });
 }
 
+void PageChannel::saved(const SavedState& saved) {
+  Json json{{"type", "saved"}, {"t", saved.t}, {"file", saved.file}, {"bytes", saved.bytes}};
+  json["failure"] = saved.failure.empty() ? Json(nullptr) : Json(saved.failure);
+  LiveMessage report = message(json);
+  report.replaces = "saved";
+  server_->post([this, report] { send_to_all(report); });
+}
+
 void PageChannel::joined(std::uint64_t id, Viewer& viewer) {
   viewers_[id] = &viewer;
   viewer_count_ = static_cast<int>(viewers_.size());

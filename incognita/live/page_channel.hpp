@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -27,6 +28,14 @@ struct LiveState {
   bool operator==(const LiveState&) const = default;
 };
 
+/// How saving the state of a run went.
+struct SavedState {
+  double t = 0;           ///< of the last frame in it, s
+  std::string file;       ///< relative to the run directory
+  std::size_t bytes = 0;  ///< of the file
+  std::string failure;    ///< why it could not be written; empty if it was
+};
+
 class PageChannel final : public ViewerProtocol {
  public:
   static constexpr const char* subprotocol = "incognita.v1";
@@ -44,8 +53,9 @@ class PageChannel final : public ViewerProtocol {
   /// Never waits for a viewer.
   void publish(std::shared_ptr<const Snapshot> snapshot);
   void set_state(const LiveState& state);
-  /// To all viewers.
+  // To all viewers:
   void refuse(const std::string& of, const std::string& why);
+  void saved(const SavedState& saved);
   bool has_viewers() const { return viewer_count_ > 0; }
 
   // From the server's thread:

@@ -316,6 +316,17 @@ TEST(PageChannel, ASlowViewerMissesTheOldestAndCostsBoundedMemory) {
   EXPECT_LT(received, 500);
 }
 
+TEST(PageChannel, SaysHowASaveWent) {
+  Served served;
+  WebSocketClient viewer = served.viewer();
+  ASSERT_EQ(Json::parse(*viewer.receive())["type"], "state");  // it has joined
+  served.channel->saved({1.5, "run.state", 1234, ""});
+  EXPECT_EQ(Json::parse(*viewer.receive()),
+            Json::parse(R"({"type":"saved","t":1.5,"file":"run.state","bytes":1234,"failure":null})"));
+  served.channel->saved({2.5, "run.state", 0, "the disk is full"});
+  EXPECT_EQ(Json::parse(*viewer.receive())["failure"], "the disk is full");
+}
+
 /// A viewer that joins during a pause sees the last frame at once.
 TEST(PageChannel, AJoiningViewerGetsTheLastSnapshot) {
   Served served;

@@ -303,9 +303,7 @@ int run_with_page(RunOptions options) {
   handle_signals();
   LoadedScenario loaded = load(options);
   const std::string out = output_folder(options, loaded);
-  ServerSettings served = server_settings(options.page);
-  if (loaded.scenario.is_robot()) served.idle_s = 3;  // who drives by hand and falls silent must not drive on
-  LivePage page(std::move(served), options.scenario, [] { return interrupted(); });
+  LivePage page(server_settings(options.page), options.scenario, [] { return interrupted(); });
   print_message("the page is at {}\n{}", page.address(),
                 hint_for_other_machines(options.page, page.address()));
   open_in_browser(page.address());

@@ -14,6 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::chrono::milliseconds least_wait{20};  // for drivers that are overdue
+
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 LiveMessage message(const Json& json) { return {std::make_shared<const std::string>(text_of(json))}; }
@@ -71,7 +73,7 @@ void PageChannel::begin(int index, const std::string& name, bool with_errors) {
   server_->post([this, index, name, with_errors] {
     with_errors_ = with_errors;
     last_published_.reset(), observability_.reset();
-    driven_.clear();
+    watchdog_.clear();
     run_ = message({{"type", "run"}, {"index", index}, {"name", name}});
     send_to_all(*run_);
   });
@@ -124,6 +126,7 @@ void PageChannel::send_state() {
 
 void PageChannel::set_state(const LiveState& state) {
   server_->post([this, state] {
+    if (!state.running) watchdog_.clear();
     if (state_ == state) return;
     state_ = state;
     send_state();
@@ -141,6 +144,14 @@ void PageChannel::refuse(const std::string& of, const std::string& why) {
   server_->post([this, of, why] { send_to_all(refusal(of, why)); });
 }
 
+void PageChannel::saved(const SavedState& saved) {
+  Json json{{"type", "saved"}, {"t", saved.t}, {"file", saved.file}, {"bytes", saved.bytes}};
+  json["failure"] = saved.failure.empty() ? Json(nullptr) : Json(saved.failure);
+  LiveMessage report = message(json);
+  report.replaces = "saved";
+  server_->post([this, report] { send_to_all(report); });
+}
+
 void PageChannel::joined(std::uint64_t id, Viewer& viewer) {
   viewers_[id] = &viewer;
   viewer_count_ = static_cast<int>(viewers_.size());
@@ -156,35 +167,42 @@ void PageChannel::left(std::uint64_t id) {
   viewers_.erase(id);
   viewer_count_ = static_cast<int>(viewers_.size());
   send_state();
-  stop_body_of(id);
+  watchdog_.leave(id);
+  stop_overdue_bodies();
+  watch_drivers();
 }
 
-/// A drive command holds until the next: nobody would stop a body whose driver's connection broke.
-void PageChannel::stop_body_of(std::uint64_t id) {
-  const auto driven = driven_.extract(id);
-  if (driven.empty()) return;
-  try {
-    command_(Intervention{DriveBody{driven.mapped()}});
-  } catch (const InputError&) {  // the run has ended
+void PageChannel::stop_overdue_bodies() {
+  for (const std::size_t body : watchdog_.overdue(std::chrono::steady_clock::now())) {
+    try {
+      command_(Intervention{DriveBody{body}});
+      watchdog_.stopped(body);
+    } catch (const InputError&) {  // too many interventions wait: it is tried again
+    }
   }
 }
 
-void PageChannel::note_driver(std::uint64_t id, const ViewerCommand& command) {
-  const auto* intervention = std::get_if<Intervention>(&command);
-  const auto* drive = intervention ? std::get_if<DriveBody>(intervention) : nullptr;
-  const auto* back = intervention ? std::get_if<GiveBackBody>(intervention) : nullptr;
-  if (!drive && !back) return;
-  const std::size_t body = drive ? drive->body : back->body;
-  std::erase_if(driven_, [body](const auto& driven) { return driven.second == body; });
-  if (drive && !(drive->direction.isZero(0) && drive->turn == 0)) driven_[id] = body;
+/// Plans the next look at the watchdog, as long as somebody drives.
+void PageChannel::watch_drivers() {
+  const auto next = watchdog_.next();
+  if (is_watching_ || !next) return;
+  is_watching_ = true;
+  const auto now = std::chrono::steady_clock::now();
+  server_->post_after(*next > now + least_wait ? *next - now : least_wait, [this] {
+    is_watching_ = false;
+    stop_overdue_bodies();
+    watch_drivers();
+  });
 }
 
 void PageChannel::received(std::uint64_t id, std::string_view text, bool binary) {
   try {
     if (binary) throw InputError("message: must be text, not binary");
     const ViewerCommand command = viewer_command(text);
+    if (watchdog_.renews(id, command, std::chrono::steady_clock::now())) return;
     command_(command);
-    note_driver(id, command);
+    watchdog_.accept(id, command, std::chrono::steady_clock::now());
+    watch_drivers();
   } catch (const InputError& error) {
     const auto viewer = viewers_.find(id);
     if (viewer == viewers_.end()) return;

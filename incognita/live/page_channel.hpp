@@ -2,6 +2,8 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -10,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "incognita/live/drive_watchdog.hpp"
 #include "incognita/live/mailbox.hpp"
 #include "incognita/live/server.hpp"
 #include "incognita/live/viewer_commands.hpp"
@@ -27,9 +30,20 @@ struct LiveState {
   bool operator==(const LiveState&) const = default;
 };
 
+/// How saving the state of a run went.
+struct SavedState {
+  double t = 0;           ///< of the last frame in it, s
+  std::string file;       ///< relative to the run directory
+  std::size_t bytes = 0;  ///< of the file
+  std::string failure;    ///< why it could not be written; empty if it was
+};
+
 class PageChannel final : public ViewerProtocol {
  public:
   static constexpr const char* subprotocol = "incognita.v1";
+
+  /// For how long a drive command of a viewer holds unless it is renewed by the same command.
+  static constexpr std::chrono::milliseconds drive_holds{500};
 
   /// `command`: called in the server's thread for each message of a viewer; its InputError refuses the message.
   explicit PageChannel(std::function<void(const ViewerCommand&)> command);
@@ -44,8 +58,9 @@ class PageChannel final : public ViewerProtocol {
   /// Never waits for a viewer.
   void publish(std::shared_ptr<const Snapshot> snapshot);
   void set_state(const LiveState& state);
-  /// To all viewers.
+  // To all viewers:
   void refuse(const std::string& of, const std::string& why);
+  void saved(const SavedState& saved);
   bool has_viewers() const { return viewer_count_ > 0; }
 
   // From the server's thread:
@@ -61,8 +76,8 @@ class PageChannel final : public ViewerProtocol {
     std::uint64_t seq;
     std::shared_ptr<const Snapshot> snapshot;
   };
-  void stop_body_of(std::uint64_t id);
-  void note_driver(std::uint64_t id, const ViewerCommand& command);
+  void stop_overdue_bodies();
+  void watch_drivers();
   void deliver(Mailbox<Published>& mailbox);
   void send_to_all(const LiveMessage& message);
   void send_state();
@@ -71,7 +86,6 @@ class PageChannel final : public ViewerProtocol {
 
   std::function<void(const ViewerCommand&)> command_;
   Server* server_ = nullptr;
-  std::map<std::uint64_t, std::size_t> driven_;  ///< the body that a viewer keeps moving
   std::atomic<int> viewer_count_{0};
   static constexpr std::size_t most_waiting = 16;
   /// One per run: what waits of a run is delivered before the next begins.
@@ -79,6 +93,8 @@ class PageChannel final : public ViewerProtocol {
   std::uint64_t next_seq_ = 0;  ///< of the thread of the loop
 
   // Of the server's thread:
+  DriveWatchdog watchdog_{drive_holds};
+  bool is_watching_ = false;  ///< a look at the watchdog is planned
   std::map<std::uint64_t, Viewer*> viewers_;
   std::optional<LiveMessage> run_, observability_;
   std::optional<Published> last_published_;

@@ -492,4 +492,11 @@ std::string Server::address() const {
 
 void Server::post(std::function<void()> task) { net::post(implementation_->context, std::move(task)); }
 
+void Server::post_after(std::chrono::steady_clock::duration delay, std::function<void()> task) {
+  const auto timer = std::make_shared<net::steady_timer>(implementation_->context, delay);
+  timer->async_wait([timer, task = std::move(task)](Error error) {
+    if (!error) task();
+  });
+}
+
 }  // namespace incognita

@@ -2,6 +2,7 @@
 // viewer does or fails to do slows the thread that publishes.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -93,6 +94,8 @@ class Server {
   std::string address() const;
   /// Runs a task in the server's thread.
   void post(std::function<void()> task);
+  /// The same, after some time; not at all if the server ends before.
+  void post_after(std::chrono::steady_clock::duration delay, std::function<void()> task);
 
  private:
   struct Implementation;

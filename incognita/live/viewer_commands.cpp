@@ -60,11 +60,12 @@ ViewerCommand viewer_command(std::string_view text) {
   if (type == "step") return StepRun{};
   if (type == "speed") return speed_of(json);
   if (type == "stop") return StopRun{};
+  if (type == "save") return SaveRun{};
   if (type == "start") return start_of(json);
   if (type == "stop-robot") return stop_robot_of(json);
   if (type != "intervene")
     throw InputError("message: type = \"" + type.substr(0, 80) +
-                     "\": must be pause, resume, step, speed, stop, start, stop-robot or intervene");
+                     "\": must be pause, resume, step, speed, stop, save, start, stop-robot or intervene");
   const auto found = json.find("intervention");
   if (found == json.end()) throw InputError("intervene: field \"intervention\" is missing");
   return intervention_from_json(found->dump(-1, ' ', true, Json::error_handler_t::replace));

@@ -23,6 +23,8 @@ struct StopRun {};
 struct StopRobot {
   bool stopped = true;
 };
+/// Saves the whole state of the run.
+struct SaveRun {};
 /// Ends the current run and starts another.
 struct StartRun {
   std::string scenario;
@@ -30,7 +32,7 @@ struct StartRun {
 };
 
 using ViewerCommand =
-    std::variant<PauseRun, ResumeRun, StepRun, SetSpeed, StopRun, StartRun, StopRobot, Intervention>;
+    std::variant<PauseRun, ResumeRun, StepRun, SetSpeed, StopRun, SaveRun, StartRun, StopRobot, Intervention>;
 
 /// Reads a JSON message of a viewer: {"type":"speed","factor":2}. Throws InputError that names the field and what is
 /// allowed.

@@ -201,6 +201,37 @@ TEST(LiveRobot, ARobotIsStoppedAtOnceAndOnlyDuringItsRun) {
   EXPECT_THROW(control.command(StopRobot{true}), InputError);
 }
 
+TEST_F(LiveControls, ASaveIsRequestedDuringARunOnly) {
+  int requests = 0;
+  EXPECT_THROW(control_.command(SaveRun{}), InputError);
+  control_.begin();
+  control_.set_saving([&] { ++requests; });
+  control_.command(SaveRun{});
+  EXPECT_EQ(requests, 1);
+  control_.end("done", "");
+  EXPECT_THROW(control_.command(SaveRun{}), InputError);
+  control_.begin();
+  EXPECT_THROW(control_.command(SaveRun{}), InputError) << "the run before is no longer saved";
+  EXPECT_EQ(requests, 1);
+}
+
+/// A pause must not keep a run from being saved, and a save no command from being taken.
+TEST_F(LiveControls, SomethingCanBeDoneInAPause) {
+  control_.begin();
+  control_.command(PauseRun{});
+  std::atomic<int> calls = 0;
+  loop_ = std::thread([&] {
+    control_.wait_for(tick(0), [&] {
+      if (++calls == 1) control_.command(SetSpeed{2});
+    });
+    ended_ = true;
+  });
+  EXPECT_TRUE(comes([&] { return calls > 2; }));
+  EXPECT_FALSE(ended_);
+  control_.command(ResumeRun{});
+  EXPECT_TRUE(comes([&] { return ended_.load(); }));
+}
+
 TEST_F(LiveControls, TheStateSaysHowARunEnded) {
   LiveState state;
   control_.on_change = [&](const LiveState& changed) { state = changed; };

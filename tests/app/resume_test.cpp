@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "incognita/app/loop/saved_run.hpp"
@@ -356,6 +357,81 @@ TEST(Resume, AFailedSaveDoesNotEndTheRun) {
   const RunOutcome failed = run_scenario(load_scenario("circle", settings), open, callbacks);
   EXPECT_EQ(failed.status, RunStatus::failed);
   EXPECT_EQ(failed.reason, "the disk is full");
+}
+
+/// Saves a run twice: in its middle, after a frame or while the loop waits before the next, and at its end.
+struct SavedOnRequest {
+  std::string in_between, at_end;
+  std::vector<SaveReport> reports;
+};
+
+SavedOnRequest save_on_request(const std::filesystem::path& folder, bool while_waiting) {
+  constexpr std::int64_t frame = 10;
+  bool requested = false;
+  std::function<void()> save_if_requested;
+  SavedOnRequest saved;
+  RunCallbacks callbacks;
+  callbacks.report = [](const std::string&) {};
+  callbacks.keep_going = [&](const Tick& tick) {
+    requested |= tick.frame == (while_waiting ? frame : frame - 1);
+    if (while_waiting) save_if_requested();
+    return true;
+  };
+  callbacks.saving.is_requested = [&] { return std::exchange(requested, false); };
+  callbacks.saving.may_wait = [&](std::function<void()> save) { save_if_requested = std::move(save); };
+  callbacks.saving.on_save = [&](const SaveReport& report) { saved.reports.push_back(report); };
+  callbacks.saving.write = [&](const std::string& bytes) {
+    (saved.in_between.empty() ? saved.in_between : saved.at_end) = bytes;
+  };
+  run_scenario(
+      load_scenario("room", std::vector<std::string>{"run.duration_s=1"}),
+      [&](const RunInfo& info, std::int64_t) { return std::make_unique<FolderSink>(folder, info); },
+      callbacks);
+  return saved;
+}
+
+/// A run that is paused is saved as it was after its last frame, and goes on unchanged.
+TEST(Resume, ASaveWhileTheLoopWaitsIsTheSame) {
+  const Scratch scratch;
+  const SavedOnRequest after = save_on_request(scratch / "after", false);
+  const SavedOnRequest waiting = save_on_request(scratch / "waiting", true);
+  ASSERT_FALSE(after.in_between.empty());
+  EXPECT_TRUE(waiting.in_between == after.in_between);
+  EXPECT_TRUE(waiting.at_end == after.at_end);
+  EXPECT_FALSE(waiting.at_end == waiting.in_between);
+  ASSERT_EQ(waiting.reports.size(), 1u) << "the save at the end was not requested";
+  EXPECT_EQ(waiting.reports[0].bytes, waiting.in_between.size());
+  EXPECT_NEAR(waiting.reports[0].t, 9 / 30.0, 1e-9);
+  EXPECT_EQ(waiting.reports[0].failure, "");
+}
+
+/// Who asks before the first frame, or in the last, is answered as well.
+TEST(Resume, ARequestIsAlwaysAnswered) {
+  bool requested = true;
+  std::function<void()> save_if_requested;
+  std::vector<SaveReport> reports;
+  RunCallbacks callbacks;
+  callbacks.report = [](const std::string&) {};
+  callbacks.keep_going = [&](const Tick& tick) {
+    save_if_requested();
+    EXPECT_EQ(reports.size(), tick.frame > 0 ? 1u : 0u);
+    requested |= tick.frame == 5;
+    return tick.frame < 5;
+  };
+  callbacks.saving.is_requested = [&] { return std::exchange(requested, false); };
+  callbacks.saving.may_wait = [&](std::function<void()> save) { save_if_requested = std::move(save); };
+  callbacks.saving.on_save = [&](const SaveReport& report) { reports.push_back(report); };
+  callbacks.saving.write = [&](const std::string&) {
+    if (!reports.empty()) throw RecordError("the disk is full");
+  };
+  const Scratch scratch;
+  run_scenario(
+      load_scenario("circle", std::vector<std::string>{"run.duration_s=1"}),
+      [&](const RunInfo& info, std::int64_t) { return std::make_unique<FolderSink>(scratch / "run", info); },
+      callbacks);
+  ASSERT_EQ(reports.size(), 2u);
+  EXPECT_EQ(reports[0].failure, "");
+  EXPECT_EQ(reports[1].failure, "the disk is full");
 }
 
 }  // namespace

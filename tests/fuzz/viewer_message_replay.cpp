@@ -16,6 +16,7 @@ void feed(const std::string& bytes) {
 
 const std::vector<std::string> messages{
     R"({"type":"pause"})",
+    R"({"type":"save"})",
     R"({"type":"speed","factor":2.5})",
     R"({"type":"start","scenario":"room","set":["run.seed=7"]})",
     R"({"type":"intervene","intervention":{"type":"push","body":1,"velocity_m_s":[1,0,-0.5],"duration_s":0.25}})",

@@ -24,6 +24,7 @@ using Json = nlohmann::json;
 struct Served {
   explicit Served(ServerSettings settings = {}) {
     channel = std::make_shared<PageChannel>([this](const ViewerCommand& command) {
+      if (refuses) throw InputError("not now");
       const std::lock_guard lock(mutex);
       commands.push_back(command);
     });
@@ -60,6 +61,24 @@ struct Served {
     }
     return false;
   }
+  /// Waits until there are so many commands, at the latest five seconds from now.
+  bool gets_commands(std::size_t count) {
+    for (int i = 0; i < 1000; ++i) {
+      {
+        const std::lock_guard lock(mutex);
+        if (commands.size() >= count) return true;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+  }
+  /// The speed ahead that the last command asks for; -1 if it is no drive command.
+  double last_forward() {
+    const std::lock_guard lock(mutex);
+    const auto* intervention = commands.empty() ? nullptr : std::get_if<Intervention>(&commands.back());
+    const auto* drive = intervention ? std::get_if<DriveBody>(intervention) : nullptr;
+    return drive ? drive->direction.x() : -1;
+  }
   /// Waits until the server's thread has done what was asked of it so far.
   void drain() const {
     std::atomic<bool> done = false;
@@ -77,6 +96,7 @@ struct Served {
   std::unique_ptr<Server> server;
   std::uint16_t port = 0;
   std::atomic<int> answers = 0;
+  std::atomic<bool> refuses = false;  ///< all commands
 };
 
 Snapshot snapshot(int frame) {
@@ -314,6 +334,75 @@ TEST(PageChannel, ASlowViewerMissesTheOldestAndCostsBoundedMemory) {
   EXPECT_EQ(received + dropped, 1500);
   EXPECT_GT(dropped, 0);
   EXPECT_LT(received, 500);
+}
+
+TEST(PageChannel, SaysHowASaveWent) {
+  Served served;
+  WebSocketClient viewer = served.viewer();
+  ASSERT_EQ(Json::parse(*viewer.receive())["type"], "state");  // it has joined
+  served.channel->saved({1.5, "run.state", 1234, ""});
+  EXPECT_EQ(Json::parse(*viewer.receive()),
+            Json::parse(R"({"type":"saved","t":1.5,"file":"run.state","bytes":1234,"failure":null})"));
+  served.channel->saved({2.5, "run.state", 0, "the disk is full"});
+  EXPECT_EQ(Json::parse(*viewer.receive())["failure"], "the disk is full");
+}
+
+constexpr const char* drive_ahead =
+    R"({"type":"intervene","intervention":{"type":"drive","body":1,"forward":1,"left":0,"up":0,"turn":0}})";
+
+TEST(PageChannel, StopsTheBodyOfADriverWhoFallsSilent) {
+  Served served;
+  WebSocketClient driver = served.viewer();
+  const auto start = std::chrono::steady_clock::now();
+  driver.send(drive_ahead);
+  ASSERT_TRUE(served.gets_commands(1));
+  EXPECT_EQ(served.last_forward(), 1);
+  ASSERT_TRUE(served.gets_commands(2)) << "the connection is open, and nothing comes";
+  EXPECT_GE(std::chrono::steady_clock::now() - start, PageChannel::drive_holds);
+  EXPECT_EQ(served.last_forward(), 0);
+}
+
+TEST(PageChannel, RenewalsKeepABodyMovingAndAreNoCommands) {
+  Served served;
+  WebSocketClient driver = served.viewer();
+  for (int k = 0; k < 10; ++k) {
+    driver.send(drive_ahead);
+    const auto sent = std::chrono::steady_clock::now();
+    std::this_thread::sleep_for(PageChannel::drive_holds / 5);
+    if (std::chrono::steady_clock::now() - sent > PageChannel::drive_holds / 2)
+      GTEST_SKIP() << "this machine is too busy to renew in time";
+  }
+  served.drain();
+  {
+    const std::lock_guard lock(served.mutex);
+    EXPECT_EQ(served.commands.size(), 1u);
+  }
+  EXPECT_TRUE(served.gets_commands(2));
+  EXPECT_EQ(served.last_forward(), 0);
+}
+
+TEST(PageChannel, ABodyWhoseStopIsRefusedIsStoppedLater) {
+  Served served;
+  WebSocketClient driver = served.viewer();
+  driver.send(drive_ahead);
+  ASSERT_TRUE(served.gets_commands(1));
+  served.refuses = true;
+  std::this_thread::sleep_for(PageChannel::drive_holds * 3 / 2);
+  served.refuses = false;
+  EXPECT_TRUE(served.gets_commands(2));
+  EXPECT_EQ(served.last_forward(), 0);
+}
+
+TEST(PageChannel, StopsTheBodyOfADriverWhoLeaves) {
+  Served served;
+  std::optional<WebSocketClient> driver(served.viewer());
+  driver->send(drive_ahead);
+  ASSERT_TRUE(served.gets_commands(1));
+  const auto gone = std::chrono::steady_clock::now();
+  driver.reset();
+  ASSERT_TRUE(served.gets_commands(2));
+  EXPECT_LT(std::chrono::steady_clock::now() - gone, PageChannel::drive_holds) << "at once";
+  EXPECT_EQ(served.last_forward(), 0);
 }
 
 /// A viewer that joins during a pause sees the last frame at once.

@@ -20,6 +20,7 @@ std::string refusal(const std::string& json) {
 
 TEST(ViewerCommands, AreRead) {
   EXPECT_TRUE(std::holds_alternative<PauseRun>(viewer_command(R"({"type":"pause"})")));
+  EXPECT_TRUE(std::holds_alternative<SaveRun>(viewer_command(R"({"type":"save"})")));
   EXPECT_EQ(std::get<SetSpeed>(viewer_command(R"({"type":"speed","factor":2.5})")).factor, 2.5);
   const auto start =
       std::get<StartRun>(viewer_command(R"({"type":"start","scenario":"room","set":["run.seed=7"]})"));

@@ -49,6 +49,7 @@ export function followLiveRun(run, session) {
       receiveSnapshot(message);
     },
     state: (message) => session.setLoop(message),
+    saved: (message) => session.setSaved(message),
     observability: (message) => run.setObservability(message),
     refused: (message) => session.report(message.message, `The program refused “${message.of}”:`),
   };

@@ -14,6 +14,9 @@ export const DRIVE_KEYS = {
   KeyF: { axis: 'up', sign: -1, words: 'down' },
 };
 
+/** @type {Drive} */
+export const REST = { forward: 0, left: 0, up: 0, turn: 0 };
+
 const DEAD_ZONE = 0.15;
 
 /**
@@ -21,7 +24,7 @@ const DEAD_ZONE = 0.15;
  * @returns {Drive}
  */
 export function driveOfKeys(codes) {
-  const drive = { forward: 0, left: 0, up: 0, turn: 0 };
+  const drive = { ...REST };
   for (const code of codes) {
     const key = DRIVE_KEYS[code];
     if (key) drive[key.axis] += key.sign;

@@ -1,5 +1,6 @@
 // Changes of state for screen readers, one polite live region for the whole page.
 import { element } from './dom.js';
+import { savedWords } from './save-run.js';
 /** @typedef {import('../state/clock.js').Clock} Clock */
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 /** @typedef {import('../state/session.js').Session} Session */
@@ -26,6 +27,7 @@ export function announcer(runs, session, clock) {
     if (now !== phase) say(now);
     phase = now;
   });
+  session.on('saved', () => session.saved && !session.saved.failure && say(savedWords(session.saved)));
   session.on('connection', () => say(session.connected ? 'connected' : 'connection lost'));
   clock.on('playing', () => clock.replaying && say(clock.playing ? 'playing' : 'stopped'));
   return region;

@@ -1,6 +1,6 @@
-// Taking a body over: keys, buttons on the page and a gamepad give drive commands, which are sent on change
-// only.
-import { DRIVE_KEYS, driveOfGamepad, driveOfKeys, sameDrive } from '../math/drive-command.js';
+// Taking a body over: keys, buttons on the page and a gamepad give drive commands.
+import { DriveSender } from '../connection/drive-sender.js';
+import { DRIVE_KEYS, REST, driveOfGamepad, driveOfKeys, sameDrive } from '../math/drive-command.js';
 import { bodySelect } from './disturbances.js';
 import { button, element, labeled, takesKeys } from './dom.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
@@ -9,7 +9,6 @@ import { button, element, labeled, takesKeys } from './dom.js';
 const GAMEPAD_PERIOD_MS = 50;
 /** As they lie on a keyboard. */
 const ROWS = ['KeyQ', 'KeyW', 'KeyE', 'KeyR', 'KeyA', 'KeyS', 'KeyD', 'KeyF'];
-const REST = driveOfKeys([]);
 
 /**
  * @param {RunState} run @param {Session} session
@@ -20,8 +19,7 @@ export function driveControls(run, session) {
   const bodies = bodySelect(run.info?.bodies ?? 1);
   /** @type {Set<string>} */
   const held = new Set();
-  let driven = 1;
-  let sent = REST;
+  const sender = new DriveSender(session);
   let padWasUsed = false;
   const body = () => Number(bodies.value);
   const takenOver = () => run.snapshot?.bodies[body() - 1]?.manual === true;
@@ -51,16 +49,10 @@ export function driveControls(run, session) {
     ),
   );
 
-  /** @param {import('../math/drive-command.js').Drive} drive */
-  function send(drive) {
-    if (sameDrive(drive, sent)) return;
-    sent = drive;
-    session.intervene({ type: 'drive', body: body(), ...drive });
-  }
   function sendKeys() {
     for (const pad of /** @type {Iterable<HTMLElement>} */ (pads.children))
       pad.classList.toggle('held', held.has(pad.dataset.code ?? ''));
-    send(driveOfKeys(held));
+    sender.drive(body(), driveOfKeys(held));
   }
   function releaseKeys() {
     held.clear();
@@ -92,25 +84,25 @@ export function driveControls(run, session) {
     take.textContent = words;
     made.classList.toggle('taken', taken);
     for (const pad of pads.querySelectorAll('button')) pad.disabled = !taken;
-    if (taken) return;
+    if (!taken) letGo();
+  }
+  /** Without a command: the body is no longer ours, or the program has stopped it. */
+  function letGo() {
     held.clear();
-    sent = REST;
+    sender.forget();
   }
   /** A gamepad that is disconnected while it drives stops the body. */
   function pollGamepad() {
-    if (!takenOver()) return;
+    if (!takenOver() || !session.connected || document.hidden) return;
     const pad = navigator.getGamepads?.().find((candidate) => candidate);
     const drive = pad ? driveOfGamepad(pad.axes) : REST;
     const atRest = sameDrive(drive, REST);
-    if (!atRest || padWasUsed) send(drive);
+    if (!atRest || padWasUsed) sender.drive(body(), drive);
     padWasUsed = !atRest;
   }
 
   bodies.addEventListener('change', () => {
-    if (!sameDrive(sent, REST)) session.intervene({ type: 'drive', body: driven, ...REST });
-    sent = REST;
-    held.clear();
-    driven = body();
+    releaseKeys();
     showTaken();
   });
 
@@ -135,8 +127,14 @@ export function driveControls(run, session) {
   );
   document.addEventListener('keyup', (event) => held.delete(event.code) && sendKeys(), { signal });
   window.addEventListener('blur', releaseKeys, { signal });
+  // A page that is not seen must not drive; its timers are too slow to renew a command
+  document.addEventListener('visibilitychange', () => document.hidden && releaseKeys(), { signal });
+  session.on('connection', () => session.connected || letGo(), signal);
   const timer = setInterval(pollGamepad, GAMEPAD_PERIOD_MS);
-  signal.addEventListener('abort', () => clearInterval(timer));
+  signal.addEventListener('abort', () => {
+    clearInterval(timer);
+    sender.forget();
+  });
   run.on('snapshot', showTaken, signal);
   take.textContent = '';
   showTaken();

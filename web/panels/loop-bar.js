@@ -1,6 +1,7 @@
-// Bar of a running loop: pause, step, speed, stop, new run.
+// Bar of a running loop: pause, step, speed, save, stop, new run.
 import { messageOfSpace, robotStop } from '../math/robot-stop.js';
 import { button, element, labeled, select } from './dom.js';
+import { saveControls } from './save-run.js';
 /** @typedef {import('../state/session.js').Session} Session */
 
 /** @type {[string, string][]} */
@@ -28,6 +29,7 @@ export function loopBar(session, openNewRun) {
     'aria-label': 'speed',
   });
   const stop = button('Stop', () => session.command({ type: 'stop' }));
+  const { save, words: saved } = saveControls(session);
   // The space key stops the robot when it goes down (shortcuts.js). Some browsers press a focused button when it comes up, which
   // would release the robot again.
   const stopRobot = button('', () => session.command(robotStop(session.loop).message), {
@@ -41,6 +43,7 @@ export function loopBar(session, openNewRun) {
     pause,
     stepButton,
     labeled('speed', speed),
+    save,
     stop,
   );
   const controls = session.control ? [stopRobot, running, button('New run…', openNewRun)] : [];
@@ -62,7 +65,7 @@ export function loopBar(session, openNewRun) {
         : 'running';
     words.dataset.state = ended ? 'ended' : paused ? 'paused' : 'running';
   });
-  const bar = element('div', { class: 'loop-bar', role: 'group', 'aria-label': 'Loop' }, ...controls, words);
+  const bar = element('div', { class: 'loop-bar', role: 'group', 'aria-label': 'Loop' }, ...controls, words, saved);
   if (!session.control) bar.append(element('span', { class: 'note' }, 'watching only'));
   stopRobot.hidden = true;
   return Object.assign(bar, { space, step });

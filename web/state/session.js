@@ -2,11 +2,14 @@
 import { Emitter } from './emitter.js';
 /** @typedef {import('./types.js').LoopState} LoopState */
 /** @typedef {import('./types.js').Mode} Mode */
+/** @typedef {import('./types.js').Saved} Saved */
 
-/** Emits `connection`, `loop` and `message`. */
+/** Emits `connection`, `loop`, `saved` and `message`. */
 export class Session extends Emitter {
   /** @type {LoopState} */
   loop = { running: false, paused: false, speed: 1, viewers: 0, ended: null };
+  /** The last save of the run. @type {Saved | null} */
+  saved = null;
   connected = true;
   retryInS = 0;
   /** @type {{title: string, text: string}} */
@@ -29,6 +32,13 @@ export class Session extends Emitter {
   setLoop(loop) {
     this.loop = loop;
     this.emit('loop');
+  }
+
+  /** @param {Saved} saved */
+  setSaved(saved) {
+    this.saved = saved;
+    this.emit('saved');
+    if (saved.failure) this.report(saved.failure, 'The state of the run could not be saved:');
   }
 
   /** @param {boolean} connected @param {number} retryInS */

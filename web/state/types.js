@@ -115,6 +115,14 @@
  * @typedef {{running: boolean, paused: boolean, speed: number, viewers: number, ended: {status: string,
  *   reason: string} | null, robot_stopped?: boolean | null}} LoopState
  */
+/**
+ * How saving the state of the run went.
+ * @typedef {object} Saved
+ * @property {number} t of the last frame in it, s
+ * @property {string} file in the run directory
+ * @property {number} bytes
+ * @property {string | null} failure why it could not be written
+ */
 /** @typedef {{lines: string[], directions: {name: string, observable: boolean}[]}} Observability */
 /**
  * @typedef {{mode: 'live' | 'replay' | 'laboratory', version: string, runs: {name: string}[], control?:

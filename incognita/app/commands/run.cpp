@@ -167,6 +167,19 @@ void save_into(RunSaving& saving, const RunOptions& options, const std::filesyst
   saving.reload = [options](const std::vector<std::string>& settings) { return load(options, settings); };
 }
 
+/// The page takes part in the run.
+void connect_page(LivePage& page, RunCallbacks& callbacks) {
+  callbacks.live_sources.browser = page.camera();
+  callbacks.interventions = &page;
+  callbacks.robot = [&page](const std::shared_ptr<RobotLink>& robot) {
+    page.control().set_robot([held = std::weak_ptr(robot)](bool stopped) {
+      if (const auto link = held.lock()) link->set_stopped(stopped);
+    });
+  };
+  callbacks.observe = [&page](const ObservabilityWatch& watch) { page.observe(watch); };
+  callbacks.saving.on_save = [&page](const SaveReport& report) { page.saved(report, state_file_name); };
+}
+
 /// One run from its start to its end. `page`: null without one.
 RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, const std::string& out,
                     LivePage* page) {
@@ -180,27 +193,20 @@ RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, con
   std::optional<double> first_t;
   std::chrono::steady_clock::time_point start;
   double wall_s = 0;
+  std::function<void()> save_if_requested;
   RunCallbacks callbacks;
   callbacks.report = [](const std::string& line) { print_message("{}\n", line); };
   callbacks.keep_going = [&](const Tick& tick) {
     if (!first_t) first_t = tick.t, start = std::chrono::steady_clock::now();
-    if (page) return page->control().wait_for(tick);
+    if (page) return page->control().wait_for(tick, save_if_requested);
     if (options.realtime && !loaded.scenario.is_live()) wait_until(start, tick.t - *first_t);
     return !interrupted();
   };
   callbacks.is_over = [page] { return page ? page->control().is_ending() : interrupted(); };
   save_into(callbacks.saving, options, out);
   if (logged) callbacks.interventions = &*logged;
-  if (page) {
-    callbacks.live_sources.browser = page->camera();
-    callbacks.interventions = page;
-    callbacks.robot = [page](const std::shared_ptr<RobotLink>& robot) {
-      page->control().set_robot([held = std::weak_ptr(robot)](bool stopped) {
-        if (const auto link = held.lock()) link->set_stopped(stopped);
-      });
-    };
-    callbacks.observe = [page](const ObservabilityWatch& watch) { page->observe(watch); };
-  }
+  callbacks.saving.may_wait = [&](std::function<void()> save) { save_if_requested = std::move(save); };
+  if (page) connect_page(*page, callbacks);
   const auto frame_done = [&](const Snapshot& snapshot) {
     if (page) page->publish(snapshot);
     wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -213,6 +219,7 @@ RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, con
     remove_partial_files(out);  // of a run that was killed while it saved
     if (loaded.scenario.is_live()) write_replay(loaded, out);
     if (page) page->begin(info, frames);
+    if (page) page->control().set_saving(request_save);
     return sink;
   };
   const RunOutcome outcome = run_scenario(loaded, open, callbacks);
@@ -296,9 +303,7 @@ int run_with_page(RunOptions options) {
   handle_signals();
   LoadedScenario loaded = load(options);
   const std::string out = output_folder(options, loaded);
-  ServerSettings served = server_settings(options.page);
-  if (loaded.scenario.is_robot()) served.idle_s = 3;  // who drives by hand and falls silent must not drive on
-  LivePage page(std::move(served), options.scenario, [] { return interrupted(); });
+  LivePage page(server_settings(options.page), options.scenario, [] { return interrupted(); });
   print_message("the page is at {}\n{}", page.address(),
                 hint_for_other_machines(options.page, page.address()));
   open_in_browser(page.address());

@@ -120,30 +120,52 @@ class Saver {
   void frame_done() {
     if (!saving_.write) return;
     clock_ = saved_clock(*run_.parts.clock);
-    const bool requested = saving_.is_requested && saving_.is_requested();
-    if (!is_due(run_.loop.tick.t) && !requested) return;
+    const bool requested = is_requested();
+    if (is_due(run_.loop.tick.t) || requested) try_to_save(requested);
+  }
+
+  /// While the loop waits between two frames.
+  void save_if_requested() {
+    if (clock_ && is_requested()) try_to_save(true);
+  }
+
+  /// Throws RecordError.
+  void save_end() {
+    if (!clock_) return;
+    const bool requested = is_requested();
     try {
-      const auto start = std::chrono::steady_clock::now();
-      const std::size_t bytes = save();
-      const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
-      if (requested)
-        report_(fmt::format("saved at t = {:.3f} s: {:.1f} MB in {:.0f} ms", run_.loop.tick.t,
-                            1e-6 * static_cast<double>(bytes), ms.count()));
+      save(requested);
     } catch (const RecordError& error) {
-      report_(error.what());
+      report_failure(error.what());
+      throw;
     }
   }
 
-  void save_end() {
-    if (saving_.write && clock_) save();
+ private:
+  bool is_requested() const { return saving_.is_requested && saving_.is_requested(); }
+
+  void try_to_save(bool requested) {
+    try {
+      save(requested);
+    } catch (const RecordError& error) {
+      report_(error.what());
+      report_failure(error.what());
+    }
   }
 
- private:
-  /// The number of bytes.
-  std::size_t save() {
+  void save(bool requested) {
+    const auto start = std::chrono::steady_clock::now();
     const std::string bytes = saved_run(loaded_, run_, *clock_, INCOGNITA_VERSION);
     saving_.write(bytes);
-    return bytes.size();
+    if (!requested) return;
+    const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
+    report_(fmt::format("saved at t = {:.3f} s: {:.1f} MB in {:.0f} ms", run_.loop.tick.t,
+                        1e-6 * static_cast<double>(bytes.size()), ms.count()));
+    if (saving_.on_save) saving_.on_save({run_.loop.tick.t, bytes.size(), ""});
+  }
+
+  void report_failure(const std::string& why) const {
+    if (saving_.on_save) saving_.on_save({run_.loop.tick.t, 0, why});
   }
 
   bool is_due(double t) {
@@ -158,7 +180,7 @@ class Saver {
   RunState& run_;
   const RunSaving& saving_;
   const std::function<void(const std::string&)>& report_;
-  std::optional<std::string> clock_;  ///< its state at the end of the last frame
+  std::optional<std::string> clock_;  ///< its state at the end of the last frame, of a run that is saved
   std::optional<double> due_t_;
 };
 
@@ -259,6 +281,7 @@ RunOutcome run_scenario(const LoadedScenario& loaded, const SinkFactory& open,
   if (assembly.live) begin(*assembly.live, callbacks);
   if (assembly.robot && callbacks.robot) callbacks.robot(assembly.robot);
   if (callbacks.saving.resumed) sink->note("resumed_at_s", loop.tick.t);
+  if (callbacks.saving.may_wait) callbacks.saving.may_wait([&saver] { saver.save_if_requested(); });
   RunConclusion conclusion =
       drive(run, saver, *sink, callbacks.interventions != nullptr, callbacks, loaded.scenario);
   if (conclusion.between_ticks) save_end(saver, conclusion);

@@ -1,6 +1,7 @@
 // Executes one run of a scenario of any kind; used by `run` and by `campaign`.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -50,13 +51,25 @@ class InterventionSource {
   virtual LoadedScenario reloaded(const std::vector<std::string>& settings) = 0;
 };
 
+/// How a save went.
+struct SaveReport {
+  double t = 0;           ///< of the last frame in it, s
+  std::size_t bytes = 0;  ///< of the file
+  std::string failure;    ///< why it could not be written; empty if it was
+};
+
 /// What becomes of the whole state of a run.
 struct RunSaving {
   /// Receives the content of a state file, record/files/state_file.hpp: at the end, as often as run.save_every_s says, and on
   /// request. Throws RecordError if it cannot be written.
   std::function<void(const std::string& bytes)> write = {};
-  /// Asked after each frame: whether to save now.
+  /// Asked after each frame and at the end: whether to save now.
   std::function<bool()> is_requested = {};
+  /// Receives, before the first frame, what saves the run if that is requested: to be called by a RunCallbacks::keep_going that
+  /// waits. It is valid until the run ends, and does nothing before the first frame is done.
+  std::function<void(std::function<void()> save_if_requested)> may_wait = {};
+  /// Receives how each requested save went, and each that failed.
+  std::function<void(const SaveReport&)> on_save = {};
   const StateFile* resumed = nullptr;  ///< the run goes on from there
   const StateFile* map = nullptr;      ///< or only the map of that run is restored
   /// The scenario of the run with settings that were changed while it went on. Throws InputError.

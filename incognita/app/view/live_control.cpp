@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::chrono::milliseconds nap{50};
 constexpr double late_s = 0.25;  // a loop that is later than this does not hurry to catch up
+constexpr const char* no_run = "no run is going on; start one first";
 constexpr std::size_t most_interventions = 1000;
 constexpr std::ptrdiff_t most_changes = 10;  // of settings: each reads the scenario again
 
@@ -36,12 +37,16 @@ struct LiveControl::Change {
     on.stop_robot_(stop.stopped);
     on.state_.robot_stopped = stop.stopped;
   }
+  void operator()(SaveRun) const {
+    if (!on.request_save_) throw InputError(no_run);
+    on.request_save_();
+  }
   void operator()(const StartRun& start) const {
     on.start_ = start;
     on.stop_ = true;
   }
   void operator()(const Intervention& intervention) const {
-    if (!on.state_.running) throw InputError("no run is going on; start one first");
+    if (!on.state_.running) throw InputError(no_run);
     if (on.interventions_.size() >= most_interventions)
       throw InputError("too many interventions wait for the next frame; resume the run");
     const auto is_change = [](const Intervention& i) { return std::holds_alternative<ChangeDecision>(i); };
@@ -69,6 +74,7 @@ void LiveControl::begin(bool paced) {
   paced_ = paced;
   state_ = {true, false, state_.speed, "", ""};
   stop_robot_ = {};
+  request_save_ = {};
   steps_ = 0;
   stop_ = start_.has_value();  // a viewer may have started yet another run while this one was loaded
   interventions_.clear();
@@ -83,6 +89,11 @@ void LiveControl::set_robot(std::function<void(bool)> stop) {
   changed();
 }
 
+void LiveControl::set_saving(std::function<void()> request) {
+  const std::lock_guard lock(mutex_);
+  request_save_ = std::move(request);
+}
+
 std::optional<LiveControl::Clock::time_point> LiveControl::due(double t) {
   if (state_.speed == 0 || !paced_) return std::nullopt;
   const auto now = Clock::now();
@@ -95,9 +106,14 @@ std::optional<LiveControl::Clock::time_point> LiveControl::due(double t) {
   return at;
 }
 
-bool LiveControl::wait_for(const Tick& tick) {
+bool LiveControl::wait_for(const Tick& tick, const std::function<void()>& meanwhile) {
   std::unique_lock lock(mutex_);
   for (;;) {
+    if (meanwhile) {
+      lock.unlock();
+      meanwhile();
+      lock.lock();
+    }
     if (stop_ || interrupted_()) return false;
     if (state_.paused) {
       if (steps_ > 0) {
@@ -130,6 +146,7 @@ void LiveControl::end(const std::string& status, const std::string& reason) {
   state_.running = state_.paused = false;
   state_.robot_stopped.reset();
   stop_robot_ = {};
+  request_save_ = {};
   state_.ended_status = status;
   state_.ended_reason = reason;
   changed();

@@ -23,7 +23,7 @@ class LiveControl {
 
   // From the thread of the server:
 
-  /// Throws InputError for an intervention when no run goes on.
+  /// Throws InputError for an intervention or a save when no run goes on.
   void command(const ViewerCommand& command);
 
   // From the thread of the loop:
@@ -33,8 +33,11 @@ class LiveControl {
   void begin(bool paced = true);
   /// The run has a robot: `stop` stops and releases it, and is called at once, in the server's thread.
   void set_robot(std::function<void(bool)> stop);
-  /// Waits for the time of this tick, or for a step or the end of a pause. False if the run is to end.
-  bool wait_for(const Tick& tick);
+  /// The run can be saved: `request` asks for that, and is called in the server's thread.
+  void set_saving(std::function<void()> request);
+  /// Waits for the time of this tick, or for a step or the end of a pause. False if the run is to end. `meanwhile`, if given, is
+  /// called again and again, about 20 times per second; commands are taken while it works.
+  bool wait_for(const Tick& tick, const std::function<void()>& meanwhile = {});
   /// Whether the run is to end; does not wait.
   bool is_ending();
   /// The interventions since the last call, in their order.
@@ -61,6 +64,7 @@ class LiveControl {
   int steps_ = 0;  ///< frames to do while paused
   bool stop_ = false, paced_ = true;
   std::function<void(bool)> stop_robot_;  ///< empty without a robot
+  std::function<void()> request_save_;    ///< empty without a run
   std::vector<Intervention> interventions_;
   std::optional<StartRun> start_;
   std::optional<std::pair<Clock::time_point, double>> anchor_;  ///< a wall time and its run time, s

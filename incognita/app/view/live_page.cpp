@@ -134,6 +134,10 @@ void LivePage::observe(const ObservabilityWatch& watch) {
   });
 }
 
+void LivePage::saved(const SaveReport& report, const std::string& file) {
+  channel_->saved({report.t, file, report.bytes, report.failure});
+}
+
 void LivePage::end(const RunOutcome& outcome) {
   {
     const std::lock_guard lock(mutex_);

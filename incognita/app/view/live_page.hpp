@@ -47,6 +47,8 @@ class LivePage final : public InterventionSource {
   /// The observability monitor after an update: its report is sent about every two seconds while someone watches, on
   /// large maps more rarely. It is computed in the server's thread.
   void observe(const ObservabilityWatch& watch);
+  /// How a save into this file of the run directory went.
+  void saved(const SaveReport& report, const std::string& file);
   void end(const RunOutcome& outcome);
   /// A run could not start.
   void refuse_start(const std::string& why);

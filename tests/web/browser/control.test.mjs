@@ -1,5 +1,7 @@
 // Pause, step and speed of a running loop.
 import assert from 'node:assert/strict';
+import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
 import test from 'node:test';
 import { fact, frameOf, openPage, pause } from './harness/page.mjs';
 import { watchedRun } from './harness/program.mjs';
@@ -66,4 +68,33 @@ test('a refused command shows the message of the program', async (t) => {
   await page.waitForFunction(() => document.querySelectorAll('.message').length === 2);
   await message.first().getByRole('button').click();
   assert.match(await message.innerText(), /factor = 12/);
+});
+
+test('the state is saved from the page, also in a pause, and a failure is shown', async (t) => {
+  const run = await watchedRun(t, 'explore-room', ['--duration', '300']);
+  const page = await openPage(t, run.address);
+  const state = join(run.folder, 'run.state');
+  const save = page.getByRole('button', { name: 'Save', exact: true });
+  const saved = page.locator('.loop-bar .saved', { hasText: 'saved run.state at t = ' });
+  await save.click();
+  await saved.waitFor();
+  assert.equal(readFileSync(state, 'latin1').slice(0, 15), 'incognita state');
+
+  await pause(page);
+  const paused = await frameOf(page);
+  rmSync(state);
+  await save.click();
+  await page.waitForFunction(
+    ({ t }) => document.querySelector('.loop-bar .saved')?.textContent?.includes(` t = ${t.toFixed(2)} s`),
+    await page.evaluate(() => ({ t: window.incognita.snapshot.t })));
+  assert(existsSync(state));
+  assert.equal(await frameOf(page), paused, 'a save is no step');
+
+  rmSync(state);
+  mkdirSync(state);  // no file can be written there
+  await save.click();
+  const message = page.locator('.message');
+  await message.waitFor();
+  assert.match(await message.innerText(), /could not be saved[^]*run\.state/);
+  assert.equal(await page.locator('.loop-bar .saved').innerText(), '');
 });

@@ -4,9 +4,11 @@ import test from 'node:test';
 import { openPage } from './harness/page.mjs';
 import { watchedRun } from './harness/program.mjs';
 import { connectViewer } from './harness/viewer.mjs';
-import { until } from './harness/waiting.mjs';
+import { pass, until } from './harness/waiting.mjs';
 
 const DISTANCE_M = 0.3;
+/** For how long a drive command holds that is not renewed. */
+const HOLDS_MS = 500;
 
 /** Direction of the body's axis `axis` in the world. */
 function direction({ x, y, z, w }, axis) {
@@ -79,6 +81,33 @@ function drivesSeenBy(viewer) {
   return drives;
 }
 const REST = { forward: 0, left: 0, up: 0, turn: 0 };
+const isRest = ({ forward, left, up, turn }) => !forward && !left && !up && !turn;
+
+/** The commands without those by which a busy page lost the body for a moment, and took it again. */
+function withoutLapses(drives) {
+  const kept = [];
+  for (const drive of drives) {
+    const [before, last] = kept.slice(-2);
+    if (last && isRest(last) && JSON.stringify(before) === JSON.stringify(drive)) kept.pop();
+    else kept.push(drive);
+  }
+  return kept;
+}
+
+test('a held key is one command, however long it is held', async (t) => {
+  const run = await watchedRun(t, 'room', ['--duration', '120']);
+  const page = await openPage(t, run.address);
+  const viewer = await connectViewer(t, run.address);
+  const drives = drivesSeenBy(viewer);
+  await page.getByRole('button', { name: 'Take over' }).click();
+  await page.getByRole('button', { name: 'Give back' }).waitFor();
+  await page.keyboard.down('q');
+  await pass(4 * HOLDS_MS);
+  assert.equal(isRest(drives.at(-1)), false, 'the key is held, and the body turns');
+  await page.keyboard.up('q');
+  await until(() => isRest(drives.at(-1)), 'the stop');
+  assert.deepEqual(withoutLapses(drives), [{ type: 'drive', body: 1, ...REST, turn: 1 }, { type: 'drive', body: 1, ...REST }]);
+});
 
 test('a gamepad drives, and stops the body when it is disconnected', async (t) => {
   const run = await watchedRun(t, 'room', ['--duration', '120']);
@@ -91,11 +120,12 @@ test('a gamepad drives, and stops the body when it is disconnected', async (t) =
   await page.getByRole('button', { name: 'Give back' }).waitFor();
 
   await axes([0.1, -0.6, -0.5, 0.02]);  // left stick forward, right stick to the left, both with play
-  await until(() => drives.length === 1, 'the drive command');
-  assert.deepEqual(drives[0], { type: 'drive', body: 1, forward: 0.6, left: 0, up: 0, turn: 0.5 });
+  await until(() => drives.length > 0, 'the drive command');
   await axes(null);
-  await until(() => drives.length === 2, 'the stop');
-  assert.deepEqual(drives[1], { type: 'drive', body: 1, ...REST });
+  await until(() => isRest(drives.at(-1)), 'the stop');
+  await pass(HOLDS_MS);
+  assert.deepEqual(withoutLapses(drives), [
+    { type: 'drive', body: 1, forward: 0.6, left: 0, up: 0, turn: 0.5 }, { type: 'drive', body: 1, ...REST }]);
 });
 
 test('a body stops when the viewer that drives it is gone', async (t) => {
@@ -111,4 +141,21 @@ test('a body stops when the viewer that drives it is gone', async (t) => {
   assert.deepEqual(drives[1], { type: 'drive', body: 1, ...REST });
   assert.equal(other.snapshot.bodies[0].manual, true, 'the body is not given back');
   assert.deepEqual(other.refused, []);
+});
+
+test('a body stops when the viewer that drives it falls silent', async (t) => {
+  const run = await watchedRun(t, 'room', ['--duration', '120']);
+  const viewer = await connectViewer(t, run.address);
+  const drives = drivesSeenBy(viewer);
+  await viewer.atFrame(5);
+  viewer.send({ type: 'intervene', intervention: { type: 'take-over', body: 1 } });
+  const sent = performance.now();
+  viewer.send({ type: 'intervene', intervention: { type: 'drive', body: 1, ...REST, left: 1 } });
+  await until(() => drives.length === 2, 'the stop');
+  assert(performance.now() - sent > HOLDS_MS, 'it is not stopped before its time');
+  assert.deepEqual(drives[1], { type: 'drive', body: 1, ...REST });
+  assert.equal(viewer.snapshot.bodies[0].manual, true, 'the body is not given back');
+  await pass(3 * HOLDS_MS);
+  assert.equal(drives.length, 2, 'it is stopped once');
+  assert.deepEqual(viewer.refused, []);
 });

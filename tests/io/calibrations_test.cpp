@@ -328,6 +328,22 @@ void expect_same(const CameraSettings& a, const CameraSettings& b) {
             calibration_text(b, CalibrationFormat::incognita));
 }
 
+TEST(Calibration, OfOneCameraHasNoOtherToChoose) {
+  const std::string scenario = calibration_text(pinhole(0), CalibrationFormat::incognita);
+  const std::string euroc =
+      "camera_model: pinhole\nintrinsics: [458.6, 457.3, 367.2, 248.4]\nresolution: [752, 480]\n";
+  for (const auto& [name, text, format] : {std::tuple{"ost.yaml", camera_info, "ROS camera_info"},
+                                           {"o.yml", opencv_yaml, "OpenCV FileStorage"},
+                                           {"o.xml", opencv_xml, "OpenCV FileStorage"},
+                                           {"sensor.yaml", euroc, "EuRoC sensor.yaml"},
+                                           {"c.txt", plain, "a key and its number per line"},
+                                           {"mine.toml", scenario, "[camera] of a scenario"}}) {
+    EXPECT_EQ(complaint(name, text), "(none)") << name;
+    EXPECT_HAS(complaint(name, text, {"cam1", {}}), std::string(name) + ": is read as " + format +
+                                                        ", which has one camera: leave out --camera cam1");
+  }
+}
+
 /// Every number is written so that it reads back exactly.
 TEST(Calibration, ReadsBackAsWritten) {
   using enum CalibrationFormat;

@@ -40,6 +40,16 @@ CalibrationFile read_any(const std::filesystem::path& file, const CalibrationReq
   return read_yaml(YamlMap(file, text), file, request);
 }
 
+/// The readers of files with several cameras choose one, or refuse a name that is none of them.
+void refuse_camera_of_one(const CalibrationFile& found, const CalibrationRequest& request) {
+  const bool has_names =
+      found.format == CalibrationFormat::kalibr || found.format == CalibrationFormat::kitti;
+  if (has_names || request.camera.empty()) return;
+  throw InputError(fmt::format("{}: is read as {}, which has one camera: leave out --camera {}",
+                               shown(found.calibrated.file), name_of(found.format),
+                               request.camera.substr(0, 60)));
+}
+
 template <class Number>
 void check_limits(const CalibratedCamera& calibrated, Number value, const char* key, const Limits& limits) {
   const double number = static_cast<double>(value);
@@ -74,6 +84,7 @@ const char* name_of(CalibrationFormat format) {
 
 CalibrationFile read_calibration_file(const std::filesystem::path& file, const CalibrationRequest& request) {
   const CalibrationFile found = read_any(file, request);
+  refuse_camera_of_one(found, request);
   if (found.calibrated.unfit.empty()) check_size(found.calibrated.camera, file, request);
   return found;
 }

@@ -231,6 +231,13 @@ TEST(KittiCalibration, TakesTheSizeFromTheUser) {
       "must be followed by finite numbers, and has `7.1x`");
 }
 
+TEST(KittiCalibration, OfNoLensIsRefused) {
+  EXPECT_HAS(complaint("calib.txt", "P0: 700 0 600 0 0 -700 180 0 0 0 1 0\n", {"", {{1241, 376}}}),
+             "calib.txt:1: P0 must have focal lengths of more than 0, and has 700 and -700");
+  EXPECT_HAS(complaint("calib.txt", "P0: 700 2 600 0 0 700 180 0 0 0 1 0\n", {"", {{1241, 376}}}),
+             "calib.txt:1: P0 without its last column has skew (2)");
+}
+
 TEST(KittiCalibration, OfRawDataHasItsSize) {
   const std::string raw =
       "calib_time: 09-Jan-2012 13:57:47\nS_rect_00: 1.242000e+03 3.750000e+02\nP_rect_00: 721.5 0 609.5 0 0 721.5 "

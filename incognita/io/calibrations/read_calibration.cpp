@@ -14,7 +14,6 @@
 namespace incognita {
 namespace {
 
-constexpr std::size_t largest_calibration = 1 << 20;
 constexpr const char* known_formats =
     "Kalibr's camchain.yaml, ROS camera_info, OpenCV's FileStorage (YAML, XML, JSON), EuRoC's sensor.yaml, KITTI's calib.txt, "
     "lines like `fx 420.5`, and [camera] of a scenario (.toml)";

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <system_error>
 
 #include "incognita/io/calibrations/kitti_projection.hpp"
@@ -31,19 +30,6 @@ std::vector<int> cameras_in(const fs::path& folder) {
   for (int camera = 0; camera < most_cameras; ++camera)
     if (fs::is_directory(image_folder_of(folder, camera), ignored)) found.push_back(camera);
   return found;
-}
-
-std::vector<fs::path> images_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (it->path().extension() == ".png" || it->path().extension() == ".jpg")
-      names.push_back(it->path().filename().string());
-  if (error) throw InputError(fmt::format("{}: cannot be read: {}", folder.string(), error.message()));
-  std::sort(names.begin(), names.end(), naturally_before);
-  std::vector<fs::path> images;
-  for (const std::string& name : names) images.push_back(folder / name);
-  return images;
 }
 
 std::optional<KittiProjection> projection_of(const fs::path& folder, int camera) {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -63,11 +64,22 @@ std::optional<std::pair<int, int>> image_size_of(const CalibrateOptions& options
       fmt::format("--image-size {}: must be width and height in px, as 640x480", options.image_size));
 }
 
+/// The written file has one camera: what else the converted file holds would be lost.
+void refuse_to_replace_source(const CalibrateOptions& options) {
+  std::error_code not_there;
+  if (fs::equivalent(options.convert, options.out, not_there))
+    throw InputError(fmt::format(
+        "--out {}: is the file to convert, and is not replaced: further cameras and extrinsics in it would be lost; choose "
+        "another file with --out",
+        options.out));
+}
+
 int convert(const CalibrateOptions& options) {
   if (!options.images.empty()) throw InputError("calibrate: images or --convert, not both");
   refuse_options(options, {"--board", "--square", "--model", "--json"},
                  "is for a calibration from images, and --convert reads a file");
   refuse_options(options, {"--view", "--phone"}, "takes images of a camera, and --convert reads a file");
+  refuse_to_replace_source(options);
   const auto output = calibration_output(options.out, options.format);
   const CalibrationFile read =
       read_calibration_file(options.convert, {options.camera, image_size_of(options)});

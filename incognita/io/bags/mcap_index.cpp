@@ -9,6 +9,7 @@
 #include "incognita/io/bags/index_builder.hpp"
 #include "incognita/io/bags/record_bytes.hpp"
 #include "incognita/io/bags/record_cursor.hpp"
+#include "incognita/io/formats/reading_progress.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita::mcap {
@@ -133,8 +134,9 @@ bool McapIndexer::read_summary() {
 void McapIndexer::read_records() {
   built_.clear();
   std::uint64_t at = magic.size();
+  ReportedReading reading(file_.path(), "bytes", bytes_.size());
   try {
-    while (at < bytes_.size()) {
+    for (; at < bytes_.size(); reading.done(at)) {
       const FoundRecord record = record_at(bytes_, at, bytes_.size());
       if (record.head.opcode == Opcode::data_end || record.head.opcode == Opcode::footer) return;
       if (record.head.opcode == Opcode::schema) add_schema(bytes_, record);

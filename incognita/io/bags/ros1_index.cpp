@@ -7,6 +7,7 @@
 
 #include "incognita/io/bags/index_builder.hpp"
 #include "incognita/io/bags/ros1_record.hpp"
+#include "incognita/io/formats/reading_progress.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita::ros1 {
@@ -89,8 +90,9 @@ bool BagIndexer::read_index() {
 void BagIndexer::read_records() {
   built_.clear();
   std::uint64_t at = first_line.size();
+  ReportedReading reading(file_.path(), "bytes", bytes_.size());
   try {
-    while (at < bytes_.size()) {
+    for (; at < bytes_.size(); reading.done(at)) {
       const Record record = record_at(bytes_, at, bytes_.size());
       add_record(bytes_, record, MessagePlace::in_file);
       if (record.op == Op::chunk) read_chunk(chunk_of(record));

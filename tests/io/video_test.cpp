@@ -8,6 +8,7 @@
 
 #include "incognita/io/recordings/recorded_images.hpp"
 #include "incognita/io/recordings/video_images.hpp"
+#include "tests/io/heard_reading.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -120,20 +121,56 @@ TEST(Video, SaysWhatCannotBeRead) {
              "does not apply to the format `video`");
 }
 
+/// The numbers of the images that are left in the source, by their shades.
+std::vector<int> numbers_of(ImageSource& images) {
+  std::vector<int> numbers;
+  while (const auto found = images.next())
+    numbers.push_back(found->failure.empty() ? (found->image(3, 3) + 5) / 10 : -1);
+  return numbers;
+}
+
 TEST(Video, IsSpreadOverSoManyImages) {
   const Scratch scratch;
   write_video(scratch / "clip.mkv", 20, 10);
   const auto images = open_video_images(scratch / "clip.mkv", 5);
   EXPECT_EQ(images->count(), 5u);
   images->skip();
-  for (const int k : {4, 8, 12, 16}) {
-    const auto found = images->next();
-    ASSERT_TRUE(found);
-    EXPECT_NEAR(found->image(3, 3), shade(k), 1);
-    EXPECT_HAS(found->name, "clip.mkv at ");
-  }
-  EXPECT_FALSE(images->next());
+  EXPECT_HAS(images->next().value().name, "clip.mkv at 0.40 s");
+  EXPECT_EQ(numbers_of(*images), (std::vector<int>{8, 12, 16}));
   EXPECT_EQ(open_video_images(scratch / "clip.mkv", 100)->count(), 20u);
+}
+
+TEST(Video, IsDecodedOnceForAllItsImages) {
+  const Scratch scratch;
+  write_video(scratch / "clip.mkv", 20, 10);
+  testing::HeardReading listener;
+  const auto images = open_video_images(scratch / "clip.mkv", 4);
+  EXPECT_EQ(listener.in_words(), "images of clip.mkv");
+  EXPECT_EQ(listener.heard.front().reading.total, 20u);
+  EXPECT_EQ(listener.heard.front().done.back(), 20u);
+  std::filesystem::remove(scratch / "clip.mkv");
+  for (int pass = 0; pass < 2; ++pass, images->rewind())
+    EXPECT_EQ(numbers_of(*images), (std::vector<int>{0, 5, 10, 15}));
+  EXPECT_EQ(listener.heard.size(), 1u);
+}
+
+/// An AVI file whose header announces another number of images.
+std::filesystem::path announcing(std::uint8_t number, const Scratch& scratch) {
+  write_video(scratch / "whole.avi", 20, 25, "MJPG");
+  std::string bytes = contents(scratch / "whole.avi");
+  for (const std::size_t at : {bytes.find("avih") + 24, bytes.find("strh") + 40}) {
+    EXPECT_EQ(bytes.at(at), 20);
+    bytes.at(at) = static_cast<char>(number);
+  }
+  return scratch.write("wrong.avi", bytes);
+}
+
+TEST(Video, IsSpreadWhateverNumberItAnnounces) {
+  const Scratch scratch;
+  const auto more = open_video_images(announcing(4, scratch), 5);
+  EXPECT_EQ(numbers_of(*more), (std::vector<int>{0, 4, 8, 12, 16})) << "every second one is given up twice";
+  const auto fewer = open_video_images(announcing(120, scratch), 5);
+  EXPECT_EQ(numbers_of(*fewer), (std::vector<int>{0, 3, 7, 11, 15})) << "the last one counts as damaged";
 }
 
 TEST(Video, BecomesTheImagesOfARun) {

@@ -27,6 +27,7 @@ class ImageFiles final : public ImageSource {
     }
   }
   void skip() override { next_ = std::min(next_ + 1, files_.size()); }
+  void rewind() override { next_ = 0; }
   std::size_t count() const override { return files_.size(); }
 
  private:

@@ -1,4 +1,4 @@
-#include "incognita/io/recordings/bag_contents.hpp"
+#include "incognita/io/recordings/bags/bag_contents.hpp"
 
 #include <fmt/format.h>
 

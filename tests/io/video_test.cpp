@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
@@ -154,22 +155,29 @@ TEST(Video, IsDecodedOnceForAllItsImages) {
   EXPECT_EQ(listener.heard.size(), 1u);
 }
 
-/// An AVI file whose header announces another number of images.
-std::filesystem::path announcing(std::uint8_t number, const Scratch& scratch) {
-  write_video(scratch / "whole.avi", 20, 25, "MJPG");
-  std::string bytes = contents(scratch / "whole.avi");
-  for (const std::size_t at : {bytes.find("avih") + 24, bytes.find("strh") + 40}) {
-    EXPECT_EQ(bytes.at(at), 20);
-    bytes.at(at) = static_cast<char>(number);
-  }
-  return scratch.write("wrong.avi", bytes);
+/// A Matroska file of 20 images whose header announces another number: its duration, in ms, is not true.
+std::filesystem::path announcing(int number, const Scratch& scratch) {
+  write_video(scratch / "whole.mkv", 20, 10);
+  std::string bytes = contents(scratch / "whole.mkv");
+  const std::string duration = "\x44\x89\x88";  // its identifier, and the length of a double
+  const auto wrong = std::bit_cast<std::uint64_t>(100.0 * number);
+  std::size_t at = bytes.find(duration) + duration.size();
+  for (int shift = 56; shift >= 0; shift -= 8) bytes.at(at++) = static_cast<char>(wrong >> shift & 0xff);
+  return scratch.write("wrong.mkv", bytes);
 }
 
 TEST(Video, IsSpreadWhateverNumberItAnnounces) {
   const Scratch scratch;
+  testing::HeardReading listener;
   const auto more = open_video_images(announcing(4, scratch), 5);
+  EXPECT_EQ(listener.heard.back().reading.total, 4u);
+  EXPECT_EQ(listener.heard.size(), 1u);
   EXPECT_EQ(numbers_of(*more), (std::vector<int>{0, 4, 8, 12, 16})) << "every second one is given up twice";
+  const auto one_more = open_video_images(announcing(19, scratch), 5);
+  EXPECT_EQ(numbers_of(*one_more), (std::vector<int>{0, 3, 7, 11, 15})) << "none is given up for the last";
   const auto fewer = open_video_images(announcing(120, scratch), 5);
+  EXPECT_EQ(listener.heard.back().reading.total, 120u);
+  EXPECT_EQ(listener.heard.size(), 4u) << "it is decoded again";
   EXPECT_EQ(numbers_of(*fewer), (std::vector<int>{0, 3, 7, 11, 15})) << "the last one counts as damaged";
 }
 

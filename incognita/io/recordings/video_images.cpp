@@ -32,9 +32,12 @@ class SpreadChoice {
 
   void see(const PassingImage& passing) {
     if (expected_ == 0) expected_ = passing.announced;
-    if (passing.number != next()) return;
-    if (kept.size() == most_) thin_out();
-    if (passing.number != next()) return;
+    if (passing.number < next()) return;
+    if (kept.size() == most_) {
+      if (passing.number <= span_ + span_ / 16) return;  // what is announced may be wrong by a few images
+      thin_out();
+      if (passing.number < next()) return;
+    }
     kept.push_back({passing.number, decoded(passing)});
     if (passing.number == 0) begin_with(kept.front().image.image);
   }

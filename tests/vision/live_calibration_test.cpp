@@ -13,12 +13,12 @@ namespace {
 using testing::BoardPhotographer;
 using testing::BoardPlace;
 
-const BoardSize board{9, 6};
+const BoardSize held_board{9, 6};
 const PinholeCamera true_camera{320, 240, 260, 258, 163, 117.5, -0.25, 0.08, 0.001, -0.0005, 0};
-const BoardPlace frontal{{0, 0, 14}, 0.2, 0.1, 0};
+const BoardPlace nearly_frontal{{0, 0, 14}, 0.2, 0.1, 0};
 
 const BoardPhotographer& photographer() {
-  static const BoardPhotographer one(true_camera, board);
+  static const BoardPhotographer one(true_camera, held_board);
   return one;
 }
 
@@ -27,7 +27,7 @@ struct Operator {
   LiveCalibration live;
   double t = 0;
 
-  explicit Operator(std::optional<BoardSize> given = board) : live(LiveCalibrationSettings{given}) {}
+  explicit Operator(std::optional<BoardSize> given = held_board) : live(LiveCalibrationSettings{given}) {}
   const std::string& show(const Image& image) {
     live.add(t += 0.1, image);
     return live.newest().refusal;
@@ -52,8 +52,8 @@ TEST(LiveCalibration, FindsTheCameraFromBoardsHeldStill) {
 
 TEST(LiveCalibration, TakesABoardOnlyWhileItIsStill) {
   Operator one;
-  EXPECT_EQ(one.show(frontal), "hold the board still");
-  BoardPlace moving = frontal;
+  EXPECT_EQ(one.show(nearly_frontal), "hold the board still");
+  BoardPlace moving = nearly_frontal;
   for (int i = 0; i < 5; ++i) {
     moving.center.x() += 0.12;  // 2 px at this distance: 20 px/s of 320 px
     EXPECT_HAS(one.show(moving), "moves: hold the board still (its corners move by ");
@@ -65,27 +65,27 @@ TEST(LiveCalibration, TakesABoardOnlyWhileItIsStill) {
 
 TEST(LiveCalibration, ForgetsTheSpeedWhenTheBoardIsAwayOrImagesAreMissing) {
   Operator one;
-  one.show(frontal);
+  one.show(nearly_frontal);
   one.show(Image(320, 240, 128));
-  EXPECT_EQ(one.show(frontal), "hold the board still");
+  EXPECT_EQ(one.show(nearly_frontal), "hold the board still");
   one.t += 2;
-  EXPECT_EQ(one.show(frontal), "hold the board still");
-  EXPECT_EQ(one.show(frontal), "");
+  EXPECT_EQ(one.show(nearly_frontal), "hold the board still");
+  EXPECT_EQ(one.show(nearly_frontal), "");
 }
 
 TEST(LiveCalibration, SaysWhyAnImageIsNoView) {
   Operator one;
   EXPECT_HAS(one.show(Image(320, 240, 128)), "no board with 9x6 inner corners");
-  one.hold(frontal);
-  EXPECT_HAS(one.show(frontal), "nearly the same as view 1");
+  one.hold(nearly_frontal);
+  EXPECT_HAS(one.show(nearly_frontal), "nearly the same as view 1");
   EXPECT_FALSE(one.live.newest().corners.empty());
-  EXPECT_HAS(one.show(photographer().take(frontal, {.blur_px = 3})), "blurred");
+  EXPECT_HAS(one.show(photographer().take(nearly_frontal, {.blur_px = 3})), "blurred");
   EXPECT_HAS(one.live.calibration().refusal, "one view does not determine a focal length");
 }
 
 TEST(LiveCalibration, KeepsNoRefusedImage) {
   Operator one;
-  for (int i = 0; i < 30; ++i) one.show(frontal);
+  for (int i = 0; i < 30; ++i) one.show(nearly_frontal);
   EXPECT_EQ(one.live.images(), 30u);
   EXPECT_EQ(one.live.views()->views().size(), 1u);
 }
@@ -93,11 +93,11 @@ TEST(LiveCalibration, KeepsNoRefusedImage) {
 TEST(LiveCalibration, GuessesTheBoardAndStartsAgain) {
   Operator one(std::nullopt);
   EXPECT_HAS(one.show(Image(320, 240, 128)), "no board: all of it must be in the image");
-  EXPECT_HAS(one.show(frontal), "a board of 9x6 inner corners: keep it in the image");
+  EXPECT_HAS(one.show(nearly_frontal), "a board of 9x6 inner corners: keep it in the image");
   EXPECT_EQ(one.live.views(), std::nullopt);
-  for (int i = 0; i < 4; ++i) one.show(frontal);
+  for (int i = 0; i < 4; ++i) one.show(nearly_frontal);
   ASSERT_TRUE(one.live.views());
-  EXPECT_TRUE(one.live.views()->board().is_like(board));
+  EXPECT_TRUE(one.live.views()->board().is_like(held_board));
   EXPECT_EQ(one.used(), 1u);
   one.live.restart();
   EXPECT_EQ(one.live.views(), std::nullopt);
@@ -106,7 +106,7 @@ TEST(LiveCalibration, GuessesTheBoardAndStartsAgain) {
 
 TEST(LiveCalibration, AfterARestartTakesImagesOfAnotherSize) {
   Operator one;
-  one.hold(frontal);
+  one.hold(nearly_frontal);
   EXPECT_HAS(one.show(Image(240, 320, 128)), "a calibration holds for one size of images");
   one.live.restart();
   EXPECT_HAS(one.show(Image(240, 320, 128)), "no board with 9x6 inner corners");
@@ -117,7 +117,7 @@ TEST(LiveCalibration, EndsAtEnoughViews) {
   Operator one;
   for (const BoardPlace& place : testing::careful_places(260.0 / 320, 80)) one.hold(place);
   EXPECT_EQ(one.live.views()->views().size(), LiveCalibration::most_views);
-  EXPECT_HAS(one.show(frontal), "40 views are enough: finish, or start again");
+  EXPECT_HAS(one.show(nearly_frontal), "40 views are enough: finish, or start again");
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "incognita/live/connections.hpp"
 #include "incognita/live/refusal_log.hpp"
 #include "incognita/live/url.hpp"
 #include "incognita/messages/errors.hpp"
@@ -65,22 +66,8 @@ struct Shared {
   ServerSettings settings;
   ServerHandlers handlers;
   RefusalLog log;
-  std::size_t connections = 0;
+  Connections connections{settings.max_connections, settings.max_strangers};
   std::uint64_t next_id = 1;
-};
-
-/// Counts a connection as long as it lives.
-class Place {
- public:
-  explicit Place(Shared& shared) : shared_(&shared) { ++shared.connections; }
-  ~Place() {
-    if (shared_) --shared_->connections;
-  }
-  Place(Place&& other) noexcept : shared_(std::exchange(other.shared_, nullptr)) {}
-  Place& operator=(Place&&) = delete;
-
- private:
-  Shared* shared_;
 };
 
 class Session {
@@ -97,8 +84,8 @@ class WebSocketSession final : public Viewer,
                                public Session,
                                public std::enable_shared_from_this<WebSocketSession<Stream>> {
  public:
-  WebSocketSession(Stream stream, Place place, Shared& shared, Sessions& sessions, std::string subprotocol,
-                   std::shared_ptr<ViewerProtocol> protocol)
+  WebSocketSession(Stream stream, Connections::Place place, Shared& shared, Sessions& sessions,
+                   std::string subprotocol, std::shared_ptr<ViewerProtocol> protocol)
       : socket_(std::move(stream)),
         place_(std::move(place)),
         shared_(shared),
@@ -196,7 +183,7 @@ class WebSocketSession final : public Viewer,
   }
 
   websocket::stream<Stream> socket_;
-  Place place_;
+  Connections::Place place_;
   Shared& shared_;
   Sessions& sessions_;
   std::string subprotocol_;
@@ -215,7 +202,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
   HttpSession(Stream stream, Shared& shared, Sessions& sessions)
       : from_(origin_of(beast::get_lowest_layer(stream).socket())),
         stream_(std::move(stream)),
-        place_(shared),
+        place_(shared.connections, from_, [this] { give_way(); }),
         shared_(shared),
         sessions_(sessions) {}
 
@@ -224,6 +211,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
       beast::get_lowest_layer(stream_).expires_after(request_time);
       stream_.async_handshake(ssl::stream_base::server, [self = this->shared_from_this()](Error error) {
         if (!error) return self->read_next();
+        if (self->has_given_way_) return;
         self->shared_.log.add("a connection of " + self->from_ +
                               " was refused: it is not encrypted as it must be (" + words(error) +
                               "); open the address with https, and accept the certificate");
@@ -246,7 +234,14 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
                      [self = this->shared_from_this()](Error error, std::size_t) { self->read(error); });
   }
 
+  /// To a connection with more right to be there.
+  void give_way() {
+    has_given_way_ = true;
+    beast::get_lowest_layer(stream_).close();
+  }
+
   void read(Error error) {
+    if (has_given_way_) return;
     if (error == http::error::end_of_stream || error == ssl::error::stream_truncated) return close();
     if (error == beast::error::timeout) {
       if (asked_) return;  // a connection that was kept for further requests
@@ -269,6 +264,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
         {view_of(request[http::field::host]), view_of(request[http::field::origin]), asked.parameter("token"),
          view_of(request["Sec-Fetch-Site"]), std::is_same_v<Stream, Encrypted>},
         shared_.settings.access);
+    why.empty() ? place_.trust() : place_.renew();
     if (websocket::is_upgrade(request)) return upgrade(request, asked, why);
     if (request.method() != http::verb::get && request.method() != http::verb::head)
       return refuse(405, "only GET is possible");
@@ -349,13 +345,13 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
 
   std::string from_;
   Stream stream_;
-  Place place_;
+  Connections::Place place_;
   Shared& shared_;
   Sessions& sessions_;
   beast::flat_buffer buffer_{2 * most_header_bytes};  // bounds what the limits of the parser do not: chunks
   std::optional<Parser> parser_;
   std::optional<Response> response_;
-  bool asked_ = false;
+  bool asked_ = false, has_given_way_ = false;
 };
 
 }  // namespace
@@ -405,11 +401,8 @@ struct Server::Implementation {
       if (!acceptor.is_open()) return;
       if (error) return retry();
       close_in_children(socket);
-      if (shared.connections >= shared.settings.max_connections)
-        shared.log.add("a connection of " + origin_of(socket) + " was refused: there are " +
-                       std::to_string(shared.connections) + ", the most that may be");
-      else
-        answer(std::move(socket));
+      const auto log = [this](const std::string& line) { shared.log.add(line); };
+      if (shared.connections.make_room(origin_of(socket), log)) answer(std::move(socket));
       accept();
     });
   }

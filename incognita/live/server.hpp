@@ -26,6 +26,8 @@ struct ServerSettings {
   std::filesystem::path certificate = {}, certificate_key = {};
   std::string websocket_path = "/ws";
   std::size_t max_connections = 64;  ///< HTTP and WebSocket together
+  /// Of one address that have not shown yet that they have access; a browser opens 6 for the page itself.
+  std::size_t max_strangers = 16;
   std::size_t max_message_bytes = 64u << 10;
   int idle_s = 30;  ///< after which a silent connection is closed; WebSocket viewers are pinged before
   Outbox::Limits outbox;

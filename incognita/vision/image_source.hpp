@@ -22,6 +22,8 @@ class ImageSource {
   virtual std::optional<SourceImage> next() = 0;
   /// Passes over an image without reading it.
   virtual void skip() = 0;
+  /// The first image is the next one again.
+  virtual void rewind() = 0;
   /// Number of images; 0 if it is not known.
   virtual std::size_t count() const = 0;
 };

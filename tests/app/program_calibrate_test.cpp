@@ -166,6 +166,23 @@ TEST(ProgramCalibrate, NeverReplacesAScenario) {
   EXPECT_EQ(read_calibration(photographs() / "mine.toml").width_px, 640);
 }
 
+TEST(ProgramCalibrate, NeverReplacesTheFileThatItConverts) {
+  const std::string two_cameras =
+      "cam0:\n  camera_model: pinhole\n  distortion_coeffs: [0, 0, 0, 0]\n  distortion_model: radtan\n"
+      "  intrinsics: [420, 420, 320, 240]\n  resolution: [640, 480]\n"
+      "cam1:\n  camera_model: pinhole\n  distortion_coeffs: [0, 0, 0, 0]\n  distortion_model: radtan\n"
+      "  intrinsics: [430, 430, 320, 240]\n  resolution: [640, 480]\n";
+  const std::filesystem::path file = photographs().write("camchain.yaml", two_cameras);
+  std::filesystem::create_symlink("camchain.yaml", photographs() / "link.yaml");
+  for (const std::string& out : {std::string("camchain.yaml"), file.string(), std::string("link.yaml")}) {
+    EXPECT_SAYS(refusal_of({"--convert", "camchain.yaml", "--out", out}),
+                "--out " + out + ": is the file to convert, and is not replaced");
+    EXPECT_EQ(testing::contents(file), two_cameras);
+  }
+  EXPECT_EQ(calibrate({"--convert", "camchain.yaml", "--camera", "cam1", "--out", "cam1.yaml"}).code, 0);
+  EXPECT_EQ(read_calibration(photographs() / "cam1.yaml").fu_px, 430);
+}
+
 TEST(ProgramCalibrate, RefusesOptionsThatDoNotApply) {
   photographs().write("cam.txt", "fx 420\nfy 420\ncx 320\ncy 240\nwidth 640\nheight 480\n");
   EXPECT_SAYS(refusal_of({"--convert", "cam.txt", "--board", "9x6"}),
@@ -176,6 +193,9 @@ TEST(ProgramCalibrate, RefusesOptionsThatDoNotApply) {
               "--square is for a calibration from images");
   EXPECT_SAYS(refusal_of({"--convert", "cam.txt", "--json"}), "--json is for a calibration from images");
   EXPECT_SAYS(refusal_of({"photos", "--camera", "cam1"}), "--camera is for a file to --convert");
+  EXPECT_SAYS(
+      refusal_of({"--convert", "cam.txt", "--camera", "cam1"}),
+      "cam.txt: is read as a key and its number per line, which has one camera: leave out --camera cam1");
   EXPECT_SAYS(refusal_of({"photos", "--image-size", "320x240"}), "--image-size is for a file to --convert");
   EXPECT_SAYS(refusal_of({"photos", "--view"}), "images or --view, not both");
   EXPECT_SAYS(refusal_of({"photos", "--https"}), "--https is for the page, with --view");

@@ -231,6 +231,13 @@ TEST(KittiCalibration, TakesTheSizeFromTheUser) {
       "must be followed by finite numbers, and has `7.1x`");
 }
 
+TEST(KittiCalibration, OfNoLensIsRefused) {
+  EXPECT_HAS(complaint("calib.txt", "P0: 700 0 600 0 0 -700 180 0 0 0 1 0\n", {"", {{1241, 376}}}),
+             "calib.txt:1: P0 must have focal lengths of more than 0, and has 700 and -700");
+  EXPECT_HAS(complaint("calib.txt", "P0: 700 2 600 0 0 700 180 0 0 0 1 0\n", {"", {{1241, 376}}}),
+             "calib.txt:1: P0 without its last column has skew (2)");
+}
+
 TEST(KittiCalibration, OfRawDataHasItsSize) {
   const std::string raw =
       "calib_time: 09-Jan-2012 13:57:47\nS_rect_00: 1.242000e+03 3.750000e+02\nP_rect_00: 721.5 0 609.5 0 0 721.5 "
@@ -326,6 +333,22 @@ CameraSettings fisheye() {
 void expect_same(const CameraSettings& a, const CameraSettings& b) {
   EXPECT_EQ(calibration_text(a, CalibrationFormat::incognita),
             calibration_text(b, CalibrationFormat::incognita));
+}
+
+TEST(Calibration, OfOneCameraHasNoOtherToChoose) {
+  const std::string scenario = calibration_text(pinhole(0), CalibrationFormat::incognita);
+  const std::string euroc =
+      "camera_model: pinhole\nintrinsics: [458.6, 457.3, 367.2, 248.4]\nresolution: [752, 480]\n";
+  for (const auto& [name, text, format] : {std::tuple{"ost.yaml", camera_info, "ROS camera_info"},
+                                           {"o.yml", opencv_yaml, "OpenCV FileStorage"},
+                                           {"o.xml", opencv_xml, "OpenCV FileStorage"},
+                                           {"sensor.yaml", euroc, "EuRoC sensor.yaml"},
+                                           {"c.txt", plain, "a key and its number per line"},
+                                           {"mine.toml", scenario, "[camera] of a scenario"}}) {
+    EXPECT_EQ(complaint(name, text), "(none)") << name;
+    EXPECT_HAS(complaint(name, text, {"cam1", {}}), std::string(name) + ": is read as " + format +
+                                                        ", which has one camera: leave out --camera cam1");
+  }
 }
 
 /// Every number is written so that it reads back exactly.

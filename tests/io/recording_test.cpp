@@ -11,6 +11,8 @@
 #include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/image_file.hpp"
+#include "incognita/io/formats/image_files.hpp"
+#include "incognita/io/formats/image_names.hpp"
 #include "incognita/io/recordings/recorded_images.hpp"
 #include "tests/scratch.hpp"
 
@@ -41,6 +43,20 @@ TEST(ImageFolder, OrdersImagesNaturally) {
   EXPECT_HAS(recording.notes.front(), "detected format `images`");
   EXPECT_HAS(recording.notes.back(), "1 files that are not images are ignored");
   EXPECT_TRUE(recording.truth.empty());
+}
+
+TEST(ImageFolder, IsInTheSameOrderAsASourceOfImages) {
+  const Scratch scratch;
+  for (const char* name : {"img10.pgm", "img2.PGM", "notes.txt", "img1.pgm"})
+    scratch.write(name, pgm(20, 16));
+  const auto images = open_images({scratch.folder()});
+  EXPECT_EQ(images->count(), 3u);
+  for (const char* name : {"img1.pgm", "img2.PGM", "img10.pgm"})
+    EXPECT_EQ(images->next().value().name, (scratch / name).string());
+  std::filesystem::create_directories(scratch / "empty");
+  EXPECT_HAS(message_of([&] { open_images({scratch / "empty"}); }),
+             "empty: there are no images in this folder");
+  EXPECT_HAS(message_of([&] { images_in(scratch / "nowhere"); }), "nowhere: cannot be read: ");
 }
 
 std::string notes_on(const std::vector<std::string>& names) {

@@ -185,7 +185,11 @@ TEST(KittiRecording, SaysWhatIsWrong) {
              "times.txt:2: the stamps must increase");
   scratch.write("00/times.txt", "0\n0.1\n");
   scratch.write("00/calib.txt", "P0: 1 2 3\n");
-  EXPECT_HAS(message_of([&] { camera_in_kitti(scratch / "00"); }), "");
+  EXPECT_HAS(message_of([&] { camera_in_kitti(scratch / "00"); }),
+             "calib.txt:1: P0 must be followed by 12 numbers, and has 3");
+  scratch.write("00/calib.txt", "\nP0: 700 0 600 0 0 0 180 0 0 0 1 0\n");
+  EXPECT_HAS(message_of([&] { read_recording(scratch / "00", "auto", 30); }),
+             "calib.txt:2: P0 must have focal lengths of more than 0, and has 700 and 0");
   scratch.write("none/times.txt", "0\n");
   EXPECT_HAS(message_of([&] { read_recording(scratch / "none", "kitti", 30); }),
              "none of the folders image_0");

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "incognita/io/recordings/recorded_images.hpp"
 #include "incognita/io/recordings/video_images.hpp"
+#include "tests/io/heard_reading.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -120,20 +122,63 @@ TEST(Video, SaysWhatCannotBeRead) {
              "does not apply to the format `video`");
 }
 
+/// The numbers of the images that are left in the source, by their shades.
+std::vector<int> numbers_of(ImageSource& images) {
+  std::vector<int> numbers;
+  while (const auto found = images.next())
+    numbers.push_back(found->failure.empty() ? (found->image(3, 3) + 5) / 10 : -1);
+  return numbers;
+}
+
 TEST(Video, IsSpreadOverSoManyImages) {
   const Scratch scratch;
   write_video(scratch / "clip.mkv", 20, 10);
   const auto images = open_video_images(scratch / "clip.mkv", 5);
   EXPECT_EQ(images->count(), 5u);
   images->skip();
-  for (const int k : {4, 8, 12, 16}) {
-    const auto found = images->next();
-    ASSERT_TRUE(found);
-    EXPECT_NEAR(found->image(3, 3), shade(k), 1);
-    EXPECT_HAS(found->name, "clip.mkv at ");
-  }
-  EXPECT_FALSE(images->next());
+  EXPECT_HAS(images->next().value().name, "clip.mkv at 0.40 s");
+  EXPECT_EQ(numbers_of(*images), (std::vector<int>{8, 12, 16}));
   EXPECT_EQ(open_video_images(scratch / "clip.mkv", 100)->count(), 20u);
+}
+
+TEST(Video, IsDecodedOnceForAllItsImages) {
+  const Scratch scratch;
+  write_video(scratch / "clip.mkv", 20, 10);
+  testing::HeardReading listener;
+  const auto images = open_video_images(scratch / "clip.mkv", 4);
+  EXPECT_EQ(listener.in_words(), "images of clip.mkv");
+  EXPECT_EQ(listener.heard.front().reading.total, 20u);
+  EXPECT_EQ(listener.heard.front().done.back(), 20u);
+  std::filesystem::remove(scratch / "clip.mkv");
+  for (int pass = 0; pass < 2; ++pass, images->rewind())
+    EXPECT_EQ(numbers_of(*images), (std::vector<int>{0, 5, 10, 15}));
+  EXPECT_EQ(listener.heard.size(), 1u);
+}
+
+/// A Matroska file of 20 images whose header announces another number: its duration, in ms, is not true.
+std::filesystem::path announcing(int number, const Scratch& scratch) {
+  write_video(scratch / "whole.mkv", 20, 10);
+  std::string bytes = contents(scratch / "whole.mkv");
+  const std::string duration = "\x44\x89\x88";  // its identifier, and the length of a double
+  const auto wrong = std::bit_cast<std::uint64_t>(100.0 * number);
+  std::size_t at = bytes.find(duration) + duration.size();
+  for (int shift = 56; shift >= 0; shift -= 8) bytes.at(at++) = static_cast<char>(wrong >> shift & 0xff);
+  return scratch.write("wrong.mkv", bytes);
+}
+
+TEST(Video, IsSpreadWhateverNumberItAnnounces) {
+  const Scratch scratch;
+  testing::HeardReading listener;
+  const auto more = open_video_images(announcing(4, scratch), 5);
+  EXPECT_EQ(listener.heard.back().reading.total, 4u);
+  EXPECT_EQ(listener.heard.size(), 1u);
+  EXPECT_EQ(numbers_of(*more), (std::vector<int>{0, 4, 8, 12, 16})) << "every second one is given up twice";
+  const auto one_more = open_video_images(announcing(19, scratch), 5);
+  EXPECT_EQ(numbers_of(*one_more), (std::vector<int>{0, 3, 7, 11, 15})) << "none is given up for the last";
+  const auto fewer = open_video_images(announcing(120, scratch), 5);
+  EXPECT_EQ(listener.heard.back().reading.total, 120u);
+  EXPECT_EQ(listener.heard.size(), 4u) << "it is decoded again";
+  EXPECT_EQ(numbers_of(*fewer), (std::vector<int>{0, 3, 7, 11, 15})) << "the last one counts as damaged";
 }
 
 TEST(Video, BecomesTheImagesOfARun) {

@@ -100,8 +100,12 @@ std::optional<std::string> WebSocketClient::receive() {
 
 bool WebSocketClient::last_was_binary() const { return implementation_->socket.got_binary(); }
 
-RawConnection::RawConnection(std::uint16_t port) : descriptor_(socket(AF_INET, SOCK_STREAM, 0)) {
-  sockaddr_in address{};
+RawConnection::RawConnection(std::uint16_t port, const std::string& from)
+    : descriptor_(socket(AF_INET, SOCK_STREAM, 0)) {
+  sockaddr_in own{}, address{};
+  own.sin_family = AF_INET;
+  own.sin_addr.s_addr = inet_addr(from.c_str());
+  [[maybe_unused]] const int bound = bind(descriptor_, reinterpret_cast<const sockaddr*>(&own), sizeof(own));
   address.sin_family = AF_INET;
   address.sin_port = htons(port);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);

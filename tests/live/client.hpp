@@ -46,7 +46,8 @@ class WebSocketClient {
 /// A connection that sends what it is told.
 class RawConnection {
  public:
-  explicit RawConnection(std::uint16_t port);
+  /// `from`: the address of this side, of the loopback.
+  explicit RawConnection(std::uint16_t port, const std::string& from = "127.0.0.1");
   ~RawConnection();
   RawConnection(RawConnection&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
 

@@ -230,6 +230,14 @@ TEST(Server, DisconnectsAfterAnOversizedMessage) {
   ADD_FAILURE() << "the other viewer was disturbed";
 }
 
+/// Whether the viewer still gets answers.
+bool is_served(WebSocketClient& viewer) {
+  viewer.send(R"({"type":"dance"})");
+  while (const auto message = viewer.receive())
+    if (contains(*message, "refused")) return true;
+  return false;
+}
+
 TEST(Server, BoundsTheConnections) {
   ServerSettings settings;
   settings.max_connections = 10;
@@ -242,15 +250,47 @@ TEST(Server, BoundsTheConnections) {
     closed += many[static_cast<std::size_t>(i)].is_closed_within(i < 10 ? 0.01 : 2);
   EXPECT_GE(closed, 19);
   EXPECT_TRUE(served.logs("the most that may be"));
-  viewer.send(R"({"type":"dance"})");
-  bool answered = false;
-  while (const auto message = viewer.receive())
-    if ((answered = contains(*message, "refused"))) break;
-  EXPECT_TRUE(answered);
+  EXPECT_TRUE(is_served(viewer));
   many.clear();
   for (int i = 0; i < 50 && get(served.port, "/").status != 200; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   EXPECT_EQ(get(served.port, "/").body, "page");
+}
+
+TEST(Server, LetsAViewerInWhateverOthersHoldOpen) {
+  ServerSettings settings;
+  settings.access.token = random_token();
+  Served served(settings);
+  const std::string token = "?token=" + settings.access.token;
+  std::vector<RawConnection> held;
+  while (held.size() < settings.max_connections) held.emplace_back(served.port);
+  WebSocketClient viewer = served.viewer("/ws" + token);
+  EXPECT_EQ(viewer.status(), 101);
+  for (int i = 0; i < 200; ++i) held.emplace_back(served.port, "127.0.0." + std::to_string(2 + i % 100));
+  EXPECT_EQ(served.viewer("/ws" + token).status(), 101);
+  EXPECT_EQ(get(served.port, "/api/secret" + token).body, "secret");
+  EXPECT_TRUE(is_served(viewer));
+  EXPECT_TRUE(served.logs("was closed for another: it has no access, and there are 64"));
+}
+
+TEST(Server, ClosesStrangersOfTheAddressThatOpensMore) {
+  ServerSettings settings;
+  settings.access.token = random_token();
+  Served served(settings);
+  const std::string host = " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(served.port) + "\r\n\r\n";
+  RawConnection elsewhere(served.port, "127.0.0.2"), with_access(served.port);
+  with_access.send("GET /api/secret?token=" + settings.access.token + host);
+  while (served.answers == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::vector<RawConnection> many;
+  for (std::size_t i = 0; i < settings.max_strangers + 1; ++i) many.emplace_back(served.port);
+  EXPECT_TRUE(many.front().is_closed_within(5));
+  EXPECT_FALSE(many[1].is_closed_within(0.2));
+  for (int i = 0; i < 200; ++i) many.emplace_back(served.port);
+  EXPECT_TRUE(many[1].is_closed_within(5));
+  EXPECT_FALSE(elsewhere.is_closed_within(0.2));
+  EXPECT_FALSE(with_access.is_closed_within(0.2));
+  EXPECT_FALSE(many.back().is_closed_within(0.2));
+  EXPECT_TRUE(served.logs("a connection of 127.0.0.1 was closed for its next: it has 16 without access"));
 }
 
 TEST(Server, ClosesAHalfOpenWebSocket) {

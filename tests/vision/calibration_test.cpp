@@ -91,11 +91,12 @@ TEST(Calibration, AgreesWithThePublishedResult) {
   } catch (const InputError& error) {
     GTEST_SKIP() << error.what();
   }
-  const GuessedBoard guess = guess_board(*open_images({folder}));
+  const auto images = open_images({folder});
+  const GuessedBoard guess = guess_board(*images);
   ASSERT_TRUE(guess.board);
   EXPECT_EQ(*guess.board, board);
   CalibrationViews views(*guess.board);
-  const auto images = open_images({folder});
+  images->rewind();
   while (const auto image = images->next()) views.add(image->name, image->image);
   EXPECT_EQ(views.used(), 13u);
   const CameraCalibration found = calibrate_camera(views, {});
@@ -316,6 +317,7 @@ class Pictures final : public ImageSource {
     return SourceImage{"image" + std::to_string(i), images_[i], images_[i].width() == 1 ? "damaged" : ""};
   }
   void skip() override { ++next_; }
+  void rewind() override { next_ = 0; }
   std::size_t count() const override { return images_.size(); }
 
  private:

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -63,11 +64,22 @@ std::optional<std::pair<int, int>> image_size_of(const CalibrateOptions& options
       fmt::format("--image-size {}: must be width and height in px, as 640x480", options.image_size));
 }
 
+/// The written file has one camera: what else the converted file holds would be lost.
+void refuse_to_replace_source(const CalibrateOptions& options) {
+  std::error_code not_there;
+  if (fs::equivalent(options.convert, options.out, not_there))
+    throw InputError(fmt::format(
+        "--out {}: is the file to convert, and is not replaced: further cameras and extrinsics in it would be lost; choose "
+        "another file with --out",
+        options.out));
+}
+
 int convert(const CalibrateOptions& options) {
   if (!options.images.empty()) throw InputError("calibrate: images or --convert, not both");
   refuse_options(options, {"--board", "--square", "--model", "--json"},
                  "is for a calibration from images, and --convert reads a file");
   refuse_options(options, {"--view", "--phone"}, "takes images of a camera, and --convert reads a file");
+  refuse_to_replace_source(options);
   const auto output = calibration_output(options.out, options.format);
   const CalibrationFile read =
       read_calibration_file(options.convert, {options.camera, image_size_of(options)});
@@ -130,6 +142,7 @@ std::unique_ptr<ImageSource> open(const CalibrateOptions& options) {
 
 CalibrationViews collect(const BoardSize& board, ImageSource& images) {
   CalibrationViews views(board);
+  images.rewind();
   Progress progress(static_cast<std::int64_t>(images.count()), "images");
   for (std::int64_t done = 1; auto image = images.next(); ++done) {
     if (image->failure.empty())
@@ -142,10 +155,10 @@ CalibrationViews collect(const BoardSize& board, ImageSource& images) {
 }
 
 /// If few images show the board that was given, names the one that they show.
-void explain_wrong_board(const CalibrateOptions& options, const CalibrationViews& views,
+void explain_wrong_board(const CalibrateOptions& options, const CalibrationViews& views, ImageSource& images,
                          CameraCalibration& calibration) {
   if (views.used() >= least_views || options.board.empty()) return;
-  const GuessedBoard guess = guess_board(*open(options));
+  const GuessedBoard guess = guess_board(images);
   if (!guess.board || guess.board->is_like(views.board())) return;
   calibration.refusal += fmt::format(
       "; {} shows a board of {} inner corners: use --board {} (corners are counted where four squares meet, not squares)",
@@ -198,11 +211,12 @@ int calibrate(const CalibrateOptions& options) {
   refuse_options(options, {"--camera", "--image-size"},
                  "is for a file to --convert, and images tell their size themselves");
   const auto output = calibration_output(options.out, options.format);
-  const auto board = choose_board(options, *open(options));
+  const std::unique_ptr<ImageSource> images = open(options);
+  const auto board = choose_board(options, *images);
   if (!board) return refuse_without_board(options);
-  CalibrationViews views = collect(board->size, *open(options));
+  CalibrationViews views = collect(board->size, *images);
   CameraCalibration calibration = calibrate_camera(views, settings_of(options, output));
-  explain_wrong_board(options, views, calibration);
+  explain_wrong_board(options, views, *images, calibration);
   return conclude_calibration(views, calibration, {board->source, options.square_m, options.json}, output);
 }
 

@@ -15,6 +15,7 @@
 #include "incognita/app/commands/target.hpp"
 #include "incognita/app/commands/view.hpp"
 #include "incognita/app/console/print_message.hpp"
+#include "incognita/app/console/shown_reading.hpp"
 #include "incognita/app/console/standard_streams.hpp"
 #include "incognita/app/console/usage.hpp"
 #include "incognita/messages/errors.hpp"
@@ -49,6 +50,7 @@ int carry_out(int argc, char** argv) {
     return app.exit(error) == 0 ? done : bad_input;
   }
   try {
+    const incognita::ShownReading shown;
     return job();
   } catch (const incognita::InputError& error) {
     incognita::print_message("incognita: {}\n", error.what());

@@ -17,7 +17,7 @@ std::string type_as_in_ros1(std::string type) {
 
 }  // namespace
 
-Bag::Bag(const std::filesystem::path& path) {
+Bag::Bag(const std::filesystem::path& path) : path_(path) {
   BagFolder folder = files_of_bag(path);
   damage_ = std::move(folder.missing);
   std::string why;

@@ -30,6 +30,7 @@ class Bag {
   /// naming file, byte and remedy, if nothing of it can be read.
   explicit Bag(const std::filesystem::path& path);
 
+  const std::filesystem::path& path() const { return path_; }
   const std::map<std::string, BagTopic>& topics() const { return topics_; }
   /// What is wrong with the bag after what can be read; empty for a whole one.
   const std::vector<std::string>& damage() const { return damage_; }
@@ -42,6 +43,7 @@ class Bag {
  private:
   void add(const std::filesystem::path& file);
 
+  std::filesystem::path path_;
   std::vector<std::unique_ptr<BagFile>> files_;
   std::map<std::string, BagTopic> topics_;
   std::vector<std::string> damage_;

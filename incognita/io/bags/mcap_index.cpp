@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
-#include "incognita/io/bags/chunk_bytes.hpp"
+#include "incognita/io/bags/index_builder.hpp"
 #include "incognita/io/bags/record_bytes.hpp"
 #include "incognita/io/bags/record_cursor.hpp"
+#include "incognita/io/formats/reading_progress.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita::mcap {
@@ -62,7 +62,7 @@ class McapIndexer {
  public:
   explicit McapIndexer(const InputFile& file) : file_(file), bytes_(file), path_(file.path().string()) {}
 
-  BagIndex index;
+  BagIndex take() { return std::move(built_.index); }
 
   /// By the summary at the end of the file; false if there is none, or a wrong one.
   bool read_summary();
@@ -74,9 +74,7 @@ class McapIndexer {
   void add_schema(RecordBytes& bytes, const FoundRecord& record);
   void add_channel(RecordBytes& bytes, const FoundRecord& record);
   void add_message(RecordBytes& bytes, const FoundRecord& record, std::uint32_t chunk);
-  void add_place(std::uint16_t channel, const MessagePlace& place, std::uint64_t record);
   CompressedChunk chunk_at(const FoundRecord& record);
-  std::uint32_t keep(const CompressedChunk& chunk);
   void read_chunk(const CompressedChunk& chunk);
   void read_chunk_records(RecordBytes& bytes, std::uint64_t begin, std::uint64_t end, std::uint32_t chunk);
   void add_indexed_chunk(const FoundRecord& chunk_index, std::uint64_t& previous_end, std::uint64_t data_end);
@@ -86,7 +84,7 @@ class McapIndexer {
   RecordBytes bytes_;
   std::string path_;
   std::map<std::uint16_t, std::string> schemas_;
-  std::uint64_t messages_ = 0;
+  bags::IndexBuilder built_;
 };
 
 /// Begin and end of the summary; nothing without an intact footer.
@@ -130,15 +128,15 @@ bool McapIndexer::read_summary() {
   } catch (const Damage&) {
     return false;
   }
-  return messages_ > 0 && stated.value_or(messages_) == messages_;
+  return built_.messages() > 0 && stated.value_or(built_.messages()) == built_.messages();
 }
 
 void McapIndexer::read_records() {
-  index = {};
-  messages_ = 0;
+  built_.clear();
   std::uint64_t at = magic.size();
+  ReportedReading reading(file_.path(), "bytes", bytes_.size());
   try {
-    while (at < bytes_.size()) {
+    for (; at < bytes_.size(); reading.done(at)) {
       const FoundRecord record = record_at(bytes_, at, bytes_.size());
       if (record.head.opcode == Opcode::data_end || record.head.opcode == Opcode::footer) return;
       if (record.head.opcode == Opcode::schema) add_schema(bytes_, record);
@@ -148,7 +146,7 @@ void McapIndexer::read_records() {
       at = record.end();
     }
   } catch (const Damage& damage) {
-    index.damage = fmt::format("{}: at byte {}: {}", path_, damage.offset, damage.what);
+    built_.index.damage = fmt::format("{}: at byte {}: {}", path_, damage.offset, damage.what);
   }
 }
 
@@ -168,13 +166,7 @@ void McapIndexer::add_channel(RecordBytes& bytes, const FoundRecord& record) {
   channel.encoding = fields.text();
   channel.record = record.offset;
   if (const auto found = schemas_.find(schema); found != schemas_.end()) channel.type = found->second;
-  index.channels[id] = std::move(channel);
-}
-
-void McapIndexer::add_place(std::uint16_t channel, const MessagePlace& place, std::uint64_t record) {
-  if (!index.channels.contains(channel)) throw Damage{record, "a message is of no known topic"};
-  if (++messages_ > bags::most_messages) throw Damage{record, "there are more messages than are read"};
-  index.messages[channel].push_back(place);
+  built_.index.channels[id] = std::move(channel);
 }
 
 void McapIndexer::add_message(RecordBytes& bytes, const FoundRecord& record, std::uint32_t chunk) {
@@ -183,7 +175,7 @@ void McapIndexer::add_message(RecordBytes& bytes, const FoundRecord& record, std
   RecordCursor fields(bytes.read(record.content(), message_head_bytes), record.offset);
   const auto channel = fields.number<std::uint16_t>();
   fields.number<std::uint32_t>();  // sequence
-  add_place(channel, {fields.number<std::uint64_t>(), record.offset, chunk}, record.offset);
+  built_.add_place(channel, {fields.number<std::uint64_t>(), record.offset, chunk}, record.offset);
 }
 
 /// Also of a chunk that is not compressed.
@@ -213,30 +205,16 @@ CompressedChunk McapIndexer::chunk_at(const FoundRecord& record) {
   return chunk;
 }
 
-/// The number of a chunk in the index, by which places name it.
-std::uint32_t McapIndexer::keep(const CompressedChunk& chunk) {
-  if (chunk.compression == Compression::none) return MessagePlace::in_file;
-  index.chunks.push_back(chunk);
-  return static_cast<std::uint32_t>(index.chunks.size() - 1);
-}
-
 void McapIndexer::read_chunk(const CompressedChunk& chunk) {
-  const std::uint32_t number = keep(chunk);
+  const std::uint32_t number = built_.keep(chunk);
   if (chunk.compression == Compression::none) {
     const std::uint64_t end = chunk.offset + chunk.stored;
     if (chunk.crc != 0 && crc_of(bytes_, chunk.offset, end) != chunk.crc)
       throw Damage{chunk.offset, "the checksum of a chunk is wrong"};
     return read_chunk_records(bytes_, chunk.offset, end, number);
   }
-  try {
-    RecordBytes records(bags::read_chunk(file_, chunk));
-    read_chunk_records(records, 0, records.size(), number);
-  } catch (const Damage& damage) {
-    throw Damage{chunk.record, fmt::format("in a compressed chunk, at byte {} after decompression: {}",
-                                           damage.offset, damage.what)};
-  } catch (const std::runtime_error& error) {
-    throw Damage{chunk.record, fmt::format("a chunk cannot be decompressed: {}", error.what())};
-  }
+  bags::read_compressed_records(
+      file_, chunk, [&](RecordBytes& records) { read_chunk_records(records, 0, records.size(), number); });
 }
 
 void McapIndexer::read_chunk_records(RecordBytes& bytes, std::uint64_t begin, std::uint64_t end,
@@ -264,7 +242,7 @@ void McapIndexer::add_indexed_chunk(const FoundRecord& chunk_index, std::uint64_
   if (record.head.opcode != Opcode::chunk || record.end() != offset + length)
     throw Damage{chunk_index.offset, "a chunk is not where the index has it"};
   const CompressedChunk chunk = chunk_at(record);
-  const std::uint32_t number = keep(chunk);
+  const std::uint32_t number = built_.keep(chunk);
   std::uint64_t at = record.end();
   while (at < data_end) {
     const FoundRecord next = record_at(bytes_, at, data_end);
@@ -285,7 +263,7 @@ void McapIndexer::add_message_index(const FoundRecord& record, const CompressedC
   while (!fields.done()) {
     const auto time_ns = fields.number<std::uint64_t>(), offset = fields.number<std::uint64_t>();
     if (offset >= chunk.size) throw Damage{record.offset, "a message is not in its chunk"};
-    add_place(channel, {time_ns, in_file ? chunk.offset + offset : offset, number}, record.offset);
+    built_.add_place(channel, {time_ns, in_file ? chunk.offset + offset : offset, number}, record.offset);
   }
 }
 
@@ -299,7 +277,7 @@ BagIndex index_messages(const InputFile& file) {
   if (!is_mcap(file)) throw InputError(file.path().string() + ": at byte 0: not an MCAP file");
   McapIndexer indexer(file);
   if (!indexer.read_summary()) indexer.read_records();
-  return std::move(indexer.index);
+  return indexer.take();
 }
 
 }  // namespace incognita::mcap

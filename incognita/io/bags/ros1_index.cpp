@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
-#include "incognita/io/bags/chunk_bytes.hpp"
+#include "incognita/io/bags/index_builder.hpp"
 #include "incognita/io/bags/ros1_record.hpp"
+#include "incognita/io/formats/reading_progress.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita::ros1 {
@@ -30,7 +30,7 @@ class BagIndexer {
  public:
   explicit BagIndexer(const InputFile& file) : file_(file), bytes_(file), path_(file.path().string()) {}
 
-  bags::BagIndex index;
+  bags::BagIndex take() { return std::move(built_.index); }
 
   /// By the index at the end of the bag; false if there is none, or a wrong one.
   bool read_index();
@@ -45,8 +45,6 @@ class BagIndexer {
   std::uint64_t add_index_data(const Record& record, const bags::CompressedChunk& chunk,
                                std::uint32_t number);
   bags::CompressedChunk chunk_of(const Record& record);
-  std::uint32_t keep(const bags::CompressedChunk& chunk);
-  void add_place(std::uint32_t connection, const MessagePlace& place, std::uint64_t record);
   void read_chunk(const bags::CompressedChunk& chunk);
   void read_chunk_records(RecordBytes& bytes, std::uint64_t begin, std::uint64_t end, std::uint32_t chunk);
   void add_record(RecordBytes& bytes, const Record& record, std::uint32_t chunk);
@@ -54,7 +52,7 @@ class BagIndexer {
   const InputFile& file_;
   RecordBytes bytes_;
   std::string path_;
-  std::uint64_t messages_ = 0;
+  bags::IndexBuilder built_;
 };
 
 /// Reads the connections; returns the chunks in the order of the file, none without an index.
@@ -86,30 +84,30 @@ bool BagIndexer::read_index() {
   } catch (const Damage&) {
     return false;
   }
-  return messages_ > 0;
+  return built_.messages() > 0;
 }
 
 void BagIndexer::read_records() {
-  index = {};
-  messages_ = 0;
+  built_.clear();
   std::uint64_t at = first_line.size();
+  ReportedReading reading(file_.path(), "bytes", bytes_.size());
   try {
-    while (at < bytes_.size()) {
+    for (; at < bytes_.size(); reading.done(at)) {
       const Record record = record_at(bytes_, at, bytes_.size());
       add_record(bytes_, record, MessagePlace::in_file);
       if (record.op == Op::chunk) read_chunk(chunk_of(record));
       at = record.end();
     }
   } catch (const Damage& damage) {
-    index.damage = fmt::format("{}: at byte {}: {}", path_, damage.offset, damage.what);
+    built_.index.damage = fmt::format("{}: at byte {}: {}", path_, damage.offset, damage.what);
   }
 }
 
 void BagIndexer::add_record(RecordBytes& bytes, const Record& record, std::uint32_t chunk) {
   if (record.op == Op::connection) add_connection(bytes, record);
   if (record.op == Op::message)
-    add_place(record.header.number<std::uint32_t>("conn"), {record.header.time("time"), record.offset, chunk},
-              record.offset);
+    built_.add_place(record.header.number<std::uint32_t>("conn"),
+                     {record.header.time("time"), record.offset, chunk}, record.offset);
 }
 
 /// The data is a header of its own, that of the connection between the nodes.
@@ -117,7 +115,7 @@ void BagIndexer::add_connection(RecordBytes& bytes, const Record& record) {
   constexpr std::uint64_t most_bytes = 16 << 20;
   if (record.length > most_bytes) throw Damage{record.offset, "a connection is longer than any"};
   const HeaderFields connection(bytes.read(record.data, record.length), record.offset);
-  index.channels[record.header.number<std::uint32_t>("conn")] = {
+  built_.index.channels[record.header.number<std::uint32_t>("conn")] = {
       record.header.text("topic"), connection.text("type"), "ros1", record.offset};
 }
 
@@ -137,7 +135,7 @@ void BagIndexer::add_indexed_chunk(const ChunkInfo& info, std::uint64_t& previou
   const Record record = record_at(bytes_, info.chunk, bytes_.size());
   if (record.op != Op::chunk) throw Damage{info.chunk, "a chunk is not where the index has it"};
   const bags::CompressedChunk chunk = chunk_of(record);
-  const std::uint32_t number = keep(chunk);
+  const std::uint32_t number = built_.keep(chunk);
   std::uint64_t found = 0;
   previous_end = record.end();
   while (previous_end < bytes_.size()) {
@@ -157,16 +155,11 @@ std::uint64_t BagIndexer::add_index_data(const Record& record, const bags::Compr
   for (; !entries.done(); ++found) {
     const std::uint64_t time_ns = time_of(entries), offset = entries.number<std::uint32_t>();
     if (offset >= chunk.size) throw Damage{record.offset, "a message is not in its chunk"};
-    add_place(connection, {time_ns, number == MessagePlace::in_file ? chunk.offset + offset : offset, number},
-              record.offset);
+    built_.add_place(connection,
+                     {time_ns, number == MessagePlace::in_file ? chunk.offset + offset : offset, number},
+                     record.offset);
   }
   return found;
-}
-
-void BagIndexer::add_place(std::uint32_t connection, const MessagePlace& place, std::uint64_t record) {
-  if (!index.channels.contains(connection)) throw Damage{record, "a message is of no known topic"};
-  if (++messages_ > bags::most_messages) throw Damage{record, "there are more messages than are read"};
-  index.messages[connection].push_back(place);
 }
 
 /// Also of a chunk that is not compressed.
@@ -184,26 +177,12 @@ bags::CompressedChunk BagIndexer::chunk_of(const Record& record) {
   return chunk;
 }
 
-/// The number of a chunk in the index, by which places name it.
-std::uint32_t BagIndexer::keep(const bags::CompressedChunk& chunk) {
-  if (chunk.compression == bags::Compression::none) return MessagePlace::in_file;
-  index.chunks.push_back(chunk);
-  return static_cast<std::uint32_t>(index.chunks.size() - 1);
-}
-
 void BagIndexer::read_chunk(const bags::CompressedChunk& chunk) {
-  const std::uint32_t number = keep(chunk);
+  const std::uint32_t number = built_.keep(chunk);
   if (chunk.compression == bags::Compression::none)
     return read_chunk_records(bytes_, chunk.offset, chunk.offset + chunk.stored, number);
-  try {
-    RecordBytes records(bags::read_chunk(file_, chunk));
-    read_chunk_records(records, 0, records.size(), number);
-  } catch (const Damage& damage) {
-    throw Damage{chunk.record, fmt::format("in a compressed chunk, at byte {} after decompression: {}",
-                                           damage.offset, damage.what)};
-  } catch (const std::runtime_error& error) {
-    throw Damage{chunk.record, fmt::format("a chunk cannot be decompressed: {}", error.what())};
-  }
+  bags::read_compressed_records(
+      file_, chunk, [&](RecordBytes& records) { read_chunk_records(records, 0, records.size(), number); });
 }
 
 void BagIndexer::read_chunk_records(RecordBytes& bytes, std::uint64_t begin, std::uint64_t end,
@@ -229,7 +208,7 @@ bags::BagIndex index_messages(const InputFile& file) {
                     start.starts_with(first_bytes) ? "; convert it: rosbag fix OLD.bag NEW.bag" : ""));
   BagIndexer indexer(file);
   if (!indexer.read_index()) indexer.read_records();
-  return std::move(indexer.index);
+  return indexer.take();
 }
 
 DataPlace message_data(RecordBytes& bytes, std::uint64_t offset, std::uint64_t end) {

@@ -12,6 +12,8 @@
 
 namespace incognita {
 
+constexpr std::size_t largest_calibration = 1 << 20;  // bytes; files have some hundreds
+
 /// Refuses a size that differs from the requested one.
 void check_size(const CameraSettings& camera, const std::filesystem::path& file,
                 const CalibrationRequest& request);

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "incognita/io/calibrations/calibration_readers.hpp"
+#include "incognita/io/calibrations/kitti_projection.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
@@ -71,11 +72,32 @@ bool is_projection(const std::string& key) {
   return (key.size() == 2 && key[0] == 'P' && key[1] >= '0' && key[1] <= '9') || key.starts_with("P_rect_");
 }
 
+KittiProjection projection_in(const std::filesystem::path& file, const KeyLine& line) {
+  const std::vector<double> numbers = numbers_of(file, line, 12);
+  KittiProjection P;
+  std::copy(numbers.begin(), numbers.end(), P.data());
+  if (!(P(0, 0) > 0 && P(1, 1) > 0))
+    refuse(file, line,
+           fmt::format("must have focal lengths of more than 0, and has {} and {}", P(0, 0), P(1, 1)));
+  return P;
+}
+
+/// Row by row, without the last column.
+std::vector<double> matrix_of(const KittiProjection& P) {
+  return {P(0, 0), P(0, 1), P(0, 2), P(1, 0), P(1, 1), P(1, 2), P(2, 0), P(2, 1), P(2, 2)};
+}
+
 }  // namespace
 
 bool is_kitti(const std::string& text) {
   const std::vector<KeyLine> lines = lines_of(text);
   return std::any_of(lines.begin(), lines.end(), [](const KeyLine& line) { return is_projection(line.key); });
+}
+
+std::optional<KittiProjection> kitti_projection(const std::filesystem::path& file, const std::string& name) {
+  const std::vector<KeyLine> lines = lines_of(read_file(file, largest_calibration));
+  const KeyLine* line = line_of(lines, name);
+  return line ? std::optional(projection_in(file, *line)) : std::nullopt;
 }
 
 CalibrationFile read_kitti(const std::string& text, const std::filesystem::path& file,
@@ -89,10 +111,9 @@ CalibrationFile read_kitti(const std::string& text, const std::filesystem::path&
   if (!line)
     throw InputError(fmt::format("{}: {} is none of the cameras of the file ({})", shown(file), name,
                                  fmt::join(cameras, ", ")));
-  const std::vector<double> P = numbers_of(file, *line, 12);
   CalibrationFile found{CalibrationFormat::kitti, {file, {}, ""}, {}};
   CameraSettings& camera = found.calibrated.camera;
-  const std::string wrong = set_matrix(camera, {P[0], P[1], P[2], P[4], P[5], P[6], P[8], P[9], P[10]});
+  const std::string wrong = set_matrix(camera, matrix_of(projection_in(file, *line)));
   if (!wrong.empty()) refuse(file, *line, "without its last column " + wrong);
   set_lens(camera, false, {});  // rectified images
   std::optional<std::pair<double, double>> size;

@@ -14,7 +14,6 @@
 namespace incognita {
 namespace {
 
-constexpr std::size_t largest_calibration = 1 << 20;
 constexpr const char* known_formats =
     "Kalibr's camchain.yaml, ROS camera_info, OpenCV's FileStorage (YAML, XML, JSON), EuRoC's sensor.yaml, KITTI's calib.txt, "
     "lines like `fx 420.5`, and [camera] of a scenario (.toml)";
@@ -38,6 +37,16 @@ CalibrationFile read_any(const std::filesystem::path& file, const CalibrationReq
   if (is_plain(text)) return read_plain(text, file, request);
   if (is_kitti(text)) return read_kitti(text, file, request);
   return read_yaml(YamlMap(file, text), file, request);
+}
+
+/// The readers of files with several cameras choose one, or refuse a name that is none of them.
+void refuse_camera_of_one(const CalibrationFile& found, const CalibrationRequest& request) {
+  const bool has_names =
+      found.format == CalibrationFormat::kalibr || found.format == CalibrationFormat::kitti;
+  if (has_names || request.camera.empty()) return;
+  throw InputError(fmt::format("{}: is read as {}, which has one camera: leave out --camera {}",
+                               shown(found.calibrated.file), name_of(found.format),
+                               request.camera.substr(0, 60)));
 }
 
 template <class Number>
@@ -74,6 +83,7 @@ const char* name_of(CalibrationFormat format) {
 
 CalibrationFile read_calibration_file(const std::filesystem::path& file, const CalibrationRequest& request) {
   const CalibrationFile found = read_any(file, request);
+  refuse_camera_of_one(found, request);
   if (found.calibrated.unfit.empty()) check_size(found.calibrated.camera, file, request);
   return found;
 }

@@ -27,7 +27,8 @@ enum class CalibrationFormat {
 const char* name_of(CalibrationFormat format);
 
 struct CalibrationRequest {
-  std::string camera;  ///< of a file with several: "cam1", "P2"; empty: the first one
+  /// Of a file with several: "cam1", "P2"; empty: the first one. Refused for the formats with one camera.
+  std::string camera;
   std::optional<std::pair<int, int>>
       image_size_px;  ///< width and height, for files without them; others must agree
 };

@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <cstring>
+#include <fstream>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
@@ -135,6 +136,15 @@ std::optional<ImageHeader> image_header(std::string_view bytes) {
   if (bytes.starts_with("\xff\xd8")) return jpeg_header(bytes);
   if (bytes.starts_with("\x89PNG")) return png_header(bytes);
   return std::nullopt;
+}
+
+std::optional<ImageHeader> read_image_header(const std::filesystem::path& path) {
+  constexpr std::size_t most = 1 << 17;  // in a JPEG, a preview may precede the header
+  std::string bytes(most, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(bytes.data(), static_cast<std::streamsize>(most));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return image_header(bytes);
 }
 
 const char* why_cut_short(std::string_view bytes) {

@@ -28,6 +28,8 @@ struct ImageHeader {
 
 /// The header of a PNG, JPEG, PGM or PPM file from its first bytes; nullopt for other formats or a truncated header.
 std::optional<ImageHeader> image_header(std::string_view bytes);
+/// The same of a file, of which it reads no more than that; also nullopt if it cannot be read.
+std::optional<ImageHeader> read_image_header(const std::filesystem::path& path);
 
 /// Why the bytes cannot be a complete image file, or null. Checked because decoders silently fill missing
 /// parts with gray.

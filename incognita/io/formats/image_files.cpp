@@ -27,25 +27,13 @@ class ImageFiles final : public ImageSource {
     }
   }
   void skip() override { next_ = std::min(next_ + 1, files_.size()); }
+  void rewind() override { next_ = 0; }
   std::size_t count() const override { return files_.size(); }
 
  private:
   std::vector<std::filesystem::path> files_;
   std::size_t next_ = 0;
 };
-
-std::vector<std::filesystem::path> images_of(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (is_image_name(it->path())) names.push_back(it->path().filename().string());
-  if (error) throw InputError(fmt::format("{}: cannot be read: {}", folder.string(), error.message()));
-  if (names.empty()) throw InputError(fmt::format("{}: there are no images in this folder", folder.string()));
-  std::sort(names.begin(), names.end(), naturally_before);
-  std::vector<std::filesystem::path> files;
-  for (const std::string& name : names) files.push_back(folder / name);
-  return files;
-}
 
 }  // namespace
 
@@ -54,7 +42,9 @@ std::unique_ptr<ImageSource> open_images(const std::vector<std::filesystem::path
   for (const std::filesystem::path& path : files_and_folders) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) {
-      const std::vector<std::filesystem::path> inside = images_of(path);
+      const std::vector<std::filesystem::path> inside = images_in(path);
+      if (inside.empty())
+        throw InputError(fmt::format("{}: there are no images in this folder", path.string()));
       files.insert(files.end(), inside.begin(), inside.end());
     } else if (std::filesystem::exists(path, ignored)) {
       files.push_back(path);

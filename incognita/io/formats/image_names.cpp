@@ -1,8 +1,14 @@
 #include "incognita/io/formats/image_names.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
+#include <system_error>
 #include <utility>
+
+#include "incognita/io/formats/files.hpp"
+#include "incognita/messages/errors.hpp"
 
 namespace incognita {
 namespace {
@@ -45,6 +51,25 @@ bool naturally_before(const std::string& a, const std::string& b) {
   }
   if (a.size() - i != b.size() - j) return a.size() - i < b.size() - j;
   return a < b;  // equal except for leading zeros
+}
+
+std::vector<std::string> names_in(const std::filesystem::path& folder,
+                                  const std::function<bool(const std::filesystem::directory_entry&)>& takes) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (takes(*it)) names.push_back(it->path().filename().string());
+  if (error) throw InputError(fmt::format("{}: cannot be read: {}", shown(folder), error.message()));
+  std::sort(names.begin(), names.end(), naturally_before);
+  return names;
+}
+
+std::vector<std::filesystem::path> images_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> images;
+  for (const std::string& name :
+       names_in(folder, [](const auto& entry) { return is_image_name(entry.path()); }))
+    images.push_back(folder / name);
+  return images;
 }
 
 }  // namespace incognita

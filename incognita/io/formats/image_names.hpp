@@ -1,8 +1,10 @@
-// Names of image files.
+// Names of image files, and the files of a folder in the order of their names.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace incognita {
 
@@ -14,5 +16,12 @@ bool is_image_name(const std::filesystem::path& path);
 
 /// Natural order: digit sequences of any length compare as numbers.
 bool naturally_before(const std::string& a, const std::string& b);
+
+/// Names of what `takes` takes of a folder, in natural order. Throws InputError if the folder cannot be read.
+std::vector<std::string> names_in(const std::filesystem::path& folder,
+                                  const std::function<bool(const std::filesystem::directory_entry&)>& takes);
+
+/// The image files of a folder, in natural order. Throws InputError if the folder cannot be read.
+std::vector<std::filesystem::path> images_in(const std::filesystem::path& folder);
 
 }  // namespace incognita

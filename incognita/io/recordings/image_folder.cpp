@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <system_error>
@@ -41,36 +40,44 @@ std::string missing_numbers(const std::vector<std::string>& names) {
                      missing, first);
 }
 
+struct FolderContents {
+  std::vector<std::string> names;  ///< of the chosen images, in natural order
+  std::string folders;             ///< their names
+  int others = 0;                  ///< files that are no images
+  int unchosen = 0;                ///< images that the pattern does not choose
+};
+
+FolderContents contents_of(const std::filesystem::path& folder, const std::string& pattern) {
+  FolderContents found;
+  found.names = names_in(folder, [&](const std::filesystem::directory_entry& entry) {
+    std::error_code ignored;
+    const std::string name = entry.path().filename().string();
+    if (entry.is_directory(ignored)) {
+      found.folders += (found.folders.empty() ? "" : ", ") + name;
+      return false;
+    }
+    if (!is_image_name(entry.path())) {
+      ++found.others;
+      return false;
+    }
+    const bool is_chosen = pattern.empty() || fits_pattern(pattern, name);
+    found.unchosen += is_chosen ? 0 : 1;
+    return is_chosen;
+  });
+  return found;
+}
+
 }  // namespace
 
 Recording read_image_folder(const std::filesystem::path& folder, double rate_hz, const std::string& pattern) {
-  std::vector<std::string> names;
-  std::string folders;
-  int others = 0, unchosen = 0;
-  std::error_code error;
-  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    std::error_code ignored;
-    const std::string name = it->path().filename().string();
-    if (it->is_directory(ignored)) {
-      folders += (folders.empty() ? "" : ", ") + name;
-    } else if (is_image_name(it->path())) {
-      if (pattern.empty() || fits_pattern(pattern, name))
-        names.push_back(name);
-      else
-        ++unchosen;
-    } else {
-      ++others;
-    }
-  }
-  if (error) throw InputError(fmt::format("{}: cannot be read: {}", folder.string(), error.message()));
-  if (names.empty() && unchosen > 0)
+  const FolderContents found = contents_of(folder, pattern);
+  const std::vector<std::string>& names = found.names;
+  if (names.empty() && found.unchosen > 0)
     throw InputError(fmt::format("{}: recording.pattern = \"{}\" matches none of its {} images",
-                                 folder.string(), pattern, unchosen));
-  if (names.empty()) {
+                                 folder.string(), pattern, found.unchosen));
+  if (names.empty())
     throw InputError(fmt::format("{}: there are no images in this folder{}", folder.string(),
-                                 folders.empty() ? "" : "; it has the folders " + folders));
-  }
-  std::sort(names.begin(), names.end(), naturally_before);
+                                 found.folders.empty() ? "" : "; it has the folders " + found.folders));
   const std::string odd_names = pattern == "*" ? "" : check_names(folder, names),
                     odd_headers = check_headers(folder, names);
   Recording recording{"images", folder, {}, {}, {}, {}};
@@ -82,10 +89,11 @@ Recording read_image_folder(const std::filesystem::path& folder, double rate_hz,
   if (const std::string gaps = missing_numbers(names); !gaps.empty()) recording.notes.push_back(gaps);
   for (const std::string& odd : {odd_names, odd_headers})
     if (!odd.empty()) recording.notes.push_back(odd);
-  if (unchosen > 0)
+  if (found.unchosen > 0)
     recording.notes.push_back(
-        fmt::format("{} images that do not match recording.pattern are ignored", unchosen));
-  if (others > 0) recording.notes.push_back(fmt::format("{} files that are not images are ignored", others));
+        fmt::format("{} images that do not match recording.pattern are ignored", found.unchosen));
+  if (found.others > 0)
+    recording.notes.push_back(fmt::format("{} files that are not images are ignored", found.others));
   return recording;
 }
 

@@ -4,9 +4,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -56,16 +54,6 @@ std::string list_of(const std::vector<Kind>& kinds) {
     text += fmt::format("{}{} {} (the first {})", text.empty() ? "" : ", ", kinds[i].count, kinds[i].words,
                         kinds[i].first);
   return kinds.size() > most ? fmt::format("{}, and {} kinds more", text, kinds.size() - most) : text;
-}
-
-/// Reads enough for the header; in a JPEG, a preview may precede it.
-std::optional<ImageHeader> header_of(const std::filesystem::path& file) {
-  constexpr std::size_t most = 1 << 17;
-  std::string bytes(most, '\0');
-  std::ifstream in(file, std::ios::binary);
-  in.read(bytes.data(), static_cast<std::streamsize>(most));
-  bytes.resize(static_cast<std::size_t>(in.gcount()));
-  return image_header(bytes);
 }
 
 /// Whether the kind as a pattern matches no other kind: "*.png" also matches "1_depth.png".
@@ -132,7 +120,7 @@ std::string check_names(const std::filesystem::path& folder, const std::vector<s
 std::string check_headers(const std::filesystem::path& folder, const std::vector<std::string>& names) {
   std::vector<Kind> sizes, channels;
   for (const std::string& name : names) {
-    const auto header = header_of(folder / name);
+    const auto header = read_image_header(folder / name);
     if (!header) continue;
     count(sizes, fmt::format("of {}x{} px with {} bits", header->width, header->height, header->bits), name);
     count(channels, header->channels == 1 ? "gray" : "in color", name);

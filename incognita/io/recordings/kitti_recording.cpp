@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <array>
-#include <fstream>
-#include <map>
 #include <system_error>
 
+#include "incognita/io/calibrations/kitti_projection.hpp"
+#include "incognita/io/calibrations/read_calibration.hpp"
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/image_file.hpp"
 #include "incognita/io/formats/image_names.hpp"
@@ -34,58 +32,19 @@ std::vector<int> cameras_in(const fs::path& folder) {
   return found;
 }
 
-std::vector<fs::path> images_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (it->path().extension() == ".png" || it->path().extension() == ".jpg")
-      names.push_back(it->path().filename().string());
-  if (error) throw InputError(fmt::format("{}: cannot be read: {}", folder.string(), error.message()));
-  std::sort(names.begin(), names.end(), naturally_before);
-  std::vector<fs::path> images;
-  for (const std::string& name : names) images.push_back(folder / name);
-  return images;
-}
-
-std::optional<ImageHeader> header_of_first(const std::vector<fs::path>& images) {
-  if (images.empty()) return std::nullopt;
-  std::string bytes(1 << 16, '\0');
-  std::ifstream in(images.front(), std::ios::binary);
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(in.gcount()));
-  return image_header(bytes);
-}
-
-/// A line `P0: ` and 12 numbers of calib.txt: the 3x4 projection matrix of the rectified camera, from coordinates in
-/// camera 0 (Geiger et al., CVPR 2012).
-using Projection = std::array<double, 12>;
-
-std::optional<Projection> projection_of(const fs::path& folder, int camera) {
+std::optional<KittiProjection> projection_of(const fs::path& folder, int camera) {
   const fs::path file = folder / "calib.txt";
-  if (!file_exists(file)) return std::nullopt;
-  for (const TableLine& line : read_table(file)) {
-    if (line.text(0) != fmt::format("P{}:", camera)) continue;
-    Projection p{};
-    for (std::size_t i = 0; i < p.size(); ++i) p[i] = line.number(i + 1);
-    if (!(p[0] > 0 && p[5] > 0))
-      throw InputError(fmt::format("{}: the focal lengths must be more than 0, and are {} and {}", line.where,
-                                   p[0], p[5]));
-    return p;
-  }
-  return std::nullopt;
+  return file_exists(file) ? kitti_projection(file, fmt::format("P{}", camera)) : std::nullopt;
 }
 
 std::optional<CalibratedCamera> camera_in(const fs::path& folder, int camera,
                                           const std::vector<fs::path>& images) {
-  const auto p = projection_of(folder, camera);
-  const auto header = header_of_first(images);
-  if (!p || !header) return std::nullopt;
-  CalibratedCamera found{folder / "calib.txt", {}, ""};
-  CameraSettings& c = found.camera;
-  c.model = PinholeLens{};
-  c.width_px = header->width, c.height_px = header->height;
-  c.fu_px = (*p)[0], c.fv_px = (*p)[5], c.u0_px = (*p)[2], c.v0_px = (*p)[6];
-  return found;
+  if (!projection_of(folder, camera) || images.empty()) return std::nullopt;
+  const auto header = read_image_header(images.front());
+  if (!header) return std::nullopt;
+  return read_calibration_file(folder / "calib.txt",
+                               {fmt::format("P{}", camera), {{header->width, header->height}}})
+      .calibrated;
 }
 
 /// poses.txt in the folder, else where the benchmark has it: sequences/07 and poses/07.txt.
@@ -116,10 +75,7 @@ void read_truth(const fs::path& folder, int camera, Recording& recording) {
         "the truth is that of camera 0, not of camera {}: there is no P{} in calib.txt", camera, camera));
     return;
   }
-  // P = K [I | -center], rows one after the other
-  const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> P =
-      Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(p->data());
-  const Eigen::Vector3d in_camera_0 = -P.leftCols<3>().inverse() * P.col(3);
+  const Eigen::Vector3d in_camera_0 = -p->leftCols<3>().inverse() * p->col(3);
   for (RecordedPose& pose : recording.truth)
     pose.position += rotation_matrix(pose.world_from_camera) * in_camera_0;
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <string>
 #include <system_error>
 
@@ -63,14 +62,9 @@ std::vector<Matrix34> matrices_of_file(const std::filesystem::path& file) {
 }
 
 std::vector<Matrix34> matrices_of_folder(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    if (it->path().extension() == ".txt") names.push_back(it->path().filename().string());
-  if (error) throw InputError(fmt::format("{}: cannot be read: {}", shown(folder), error.message()));
-  std::sort(names.begin(), names.end(), naturally_before);
   std::vector<Matrix34> matrices;
-  for (const std::string& name : names) {
+  const auto is_text = [](const auto& entry) { return entry.path().extension() == ".txt"; };
+  for (const std::string& name : names_in(folder, is_text)) {
     const std::vector<Matrix34> found = matrices_of_file(folder / name);
     if (found.size() != 1)
       throw InputError(fmt::format("{}: has {} matrices; in a folder, each file must have one",

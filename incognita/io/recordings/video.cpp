@@ -13,6 +13,7 @@
 
 #include "incognita/io/formats/files.hpp"
 #include "incognita/io/formats/gray_image.hpp"
+#include "incognita/io/formats/reading_progress.hpp"
 #include "incognita/messages/errors.hpp"
 
 namespace incognita {
@@ -34,6 +35,14 @@ cv::VideoCapture opened(const std::filesystem::path& file) {
   return video;
 }
 
+/// The image that was grabbed last.
+Image retrieved(cv::VideoCapture& video, const std::filesystem::path& file, std::size_t number) {
+  cv::Mat decoded;
+  if (!video.retrieve(decoded) || decoded.empty())
+    throw std::runtime_error(fmt::format("{}: image {} cannot be decoded", file.string(), number));
+  return gray_image(decoded);
+}
+
 /// Decodes forward, and from the start again for an image before the last.
 class VideoImages final : public IndexedImages {
  public:
@@ -44,10 +53,7 @@ class VideoImages final : public IndexedImages {
     for (; next_ <= frame; ++next_)
       if (!video_.grab())
         throw std::runtime_error(fmt::format("{}: image {} cannot be decoded", file_.string(), next_));
-    cv::Mat decoded;
-    if (!video_.retrieve(decoded) || decoded.empty())
-      throw std::runtime_error(fmt::format("{}: image {} cannot be decoded", file_.string(), frame));
-    return std::make_shared<const Image>(gray_image(decoded));
+    return std::make_shared<const Image>(retrieved(video_, file_, frame));
   }
 
  private:
@@ -56,10 +62,27 @@ class VideoImages final : public IndexedImages {
   std::size_t next_ = 0;  ///< number of the image that grab() yields
 };
 
+using VideoVisit = std::function<void(const PassingImage&)>;
+
+/// By the header of the file; 0 if that is no number of images.
+double announced_images(cv::VideoCapture& video) {
+  constexpr double most = 1e9;
+  const double announced = video.get(cv::CAP_PROP_FRAME_COUNT);
+  return announced > 0 && announced < most ? announced : 0;
+}
+
 /// s, of each image, as the file has them.
-std::vector<double> stored_times(cv::VideoCapture& video) {
+std::vector<double> stored_times(const std::filesystem::path& file, cv::VideoCapture& video,
+                                 const VideoVisit& visit) {
+  const auto announced = static_cast<std::size_t>(announced_images(video));
+  ReportedReading reading(file, "images", announced);
   std::vector<double> times;
-  while (video.grab()) times.push_back(video.get(cv::CAP_PROP_POS_MSEC) / 1000);
+  while (video.grab()) {
+    const std::size_t number = times.size();
+    times.push_back(video.get(cv::CAP_PROP_POS_MSEC) / 1000);
+    if (visit) visit({number, announced, [&] { return retrieved(video, file, number); }});
+    reading.done(times.size());
+  }
   return times;
 }
 
@@ -69,8 +92,8 @@ bool increase(const std::vector<double>& times) {
 
 /// Stored times that do not increase are replaced by the rate in the header of the file.
 std::vector<double> times_of(const std::filesystem::path& file, cv::VideoCapture& video,
-                             std::vector<std::string>& notes) {
-  std::vector<double> times = stored_times(video);
+                             const VideoVisit& visit, std::vector<std::string>& notes) {
+  std::vector<double> times = stored_times(file, video, visit);
   if (times.empty())
     throw InputError(
         fmt::format("{}: not one image can be decoded; convert it, e.g. to H.264 in mp4", file.string()));
@@ -110,13 +133,13 @@ bool looks_like_video(const std::filesystem::path& file) {
   return file_exists(file) && std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
 }
 
-Recording read_video(const std::filesystem::path& file) {
+Recording read_video(const std::filesystem::path& file, const VideoVisit& visit) {
   if (!file_exists(file)) throw InputError(fmt::format("{}: is not a file", file.string()));
   Recording recording{"video", file, {}, {}, {}, {}};
   try {
     cv::VideoCapture video = opened(file);
-    const double announced = video.get(cv::CAP_PROP_FRAME_COUNT);
-    std::vector<double> times = times_of(file, video, recording.notes);
+    const double announced = announced_images(video);
+    std::vector<double> times = times_of(file, video, visit, recording.notes);
     drop_the_last_of_a_damaged_video(announced, times, recording.notes);
     for (const double t : times) recording.frames.push_back({t, {}});
     recording.notes.push_back(fmt::format("{} images of {}x{} px in {:.2f} s", times.size(),

@@ -15,6 +15,7 @@ GuessedBoard guess_board(ImageSource& images) {
   GuessedBoard guess;
   std::vector<BoardSize> found;
   std::vector<std::string> names;
+  images.rewind();
   const std::size_t stride = std::max<std::size_t>(1, images.count() / most_tries);
   while (found.size() < enough_boards && guess.tried < most_tries) {
     const auto image = images.next();

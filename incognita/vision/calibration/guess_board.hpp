@@ -14,7 +14,7 @@ struct GuessedBoard {
   std::string example;               ///< name of the first image that shows it
 };
 
-/// Searches images spread over the source for their largest board, until enough of them show one.
+/// Searches images spread over the source, from its first, for their largest board, until enough of them show one.
 GuessedBoard guess_board(ImageSource& images);
 
 }  // namespace incognita

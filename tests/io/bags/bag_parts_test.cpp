@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "incognita/io/recordings/bag_camera.hpp"
-#include "incognita/io/recordings/bag_images.hpp"
-#include "incognita/io/recordings/bag_transforms.hpp"
+#include "incognita/io/recordings/bags/bag_camera.hpp"
+#include "incognita/io/recordings/bags/bag_images.hpp"
+#include "incognita/io/recordings/bags/bag_transforms.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {

@@ -6,6 +6,7 @@
 #include "incognita/io/recordings/recording_formats.hpp"
 #include "incognita/math/quaternion.hpp"
 #include "tests/io/bags/bag_scene.hpp"
+#include "tests/io/heard_reading.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -35,6 +36,44 @@ void expect_camera_pose(const RecordedPose& pose, int k) {
   // The optical axis of `cam` is the x axis of `body`
   const Eigen::Vector3d axis = rotation_matrix(pose.world_from_camera) * Eigen::Vector3d(0, 0, 1);
   EXPECT_NEAR((axis - Eigen::Vector3d(c, s, 0)).norm(), 0, 1e-12);
+}
+
+TEST(ReadingProgress, IsToldOfTheMessagesOfABagAndOfItsBytesWhereItHasNoIndex) {
+  for (const auto& [name, expected] :
+       {std::pair{"zstd.mcap", "messages of zstd.mcap"},
+        {"bz2.bag", "messages of bz2.bag"},
+        {"without_index.mcap", "bytes of without_index.mcap, messages of without_index.mcap"},
+        {"unindexed.bag", "bytes of unindexed.bag, messages of unindexed.bag"}}) {
+    testing::HeardReading listener;
+    read(name);
+    EXPECT_EQ(listener.in_words(), expected);
+    const auto& [reading, done, ended] = listener.heard.back();
+    EXPECT_EQ(done.back(), reading.total) << name;
+    if (listener.heard.size() < 2) continue;
+    EXPECT_EQ(listener.heard.front().reading.total, std::filesystem::file_size(written_bag(name)));
+    EXPECT_GT(listener.heard.front().done.back(), listener.heard.front().reading.total / 2) << name;
+  }
+}
+
+TEST(ReadingProgress, EndsWhereTheBagIsDamaged) {
+  const Scratch scratch;
+  const std::string bytes = contents(written_bag("unindexed.bag"));
+  const std::filesystem::path cut = scratch.write("cut.bag", bytes.substr(0, bytes.size() * 2 / 3));
+  testing::HeardReading listener;
+  read_recording(cut, "bag", 30);
+  EXPECT_EQ(listener.in_words(), "bytes of cut.bag, messages of cut.bag");
+}
+
+TEST(ReadingProgress, IsHeardByTheInnermostListener) {
+  testing::HeardReading outer;
+  {
+    testing::HeardReading inner;
+    read("plain.bag");
+    EXPECT_EQ(inner.heard.size(), 1u);
+  }
+  EXPECT_TRUE(outer.heard.empty());
+  read("plain.bag");
+  EXPECT_EQ(outer.heard.size(), 1u);
 }
 
 class BagRecording : public ::testing::TestWithParam<std::string> {};

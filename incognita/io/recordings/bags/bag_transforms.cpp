@@ -1,4 +1,4 @@
-#include "incognita/io/recordings/bag_transforms.hpp"
+#include "incognita/io/recordings/bags/bag_transforms.hpp"
 
 #include <algorithm>
 #include <cmath>

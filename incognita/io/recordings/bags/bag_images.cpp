@@ -1,4 +1,4 @@
-#include "incognita/io/recordings/bag_images.hpp"
+#include "incognita/io/recordings/bags/bag_images.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "incognita/io/formats/gray_image.hpp"
 #include "incognita/io/formats/image_file.hpp"
-#include "incognita/io/recordings/bag_topics.hpp"
+#include "incognita/io/recordings/bags/bag_topics.hpp"
 
 namespace incognita {
 namespace {

@@ -1,4 +1,4 @@
-#include "incognita/io/recordings/bag_topics.hpp"
+#include "incognita/io/recordings/bags/bag_topics.hpp"
 
 #include <fmt/format.h>
 

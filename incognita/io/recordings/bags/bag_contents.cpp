@@ -1,10 +1,12 @@
-#include "incognita/io/recordings/bag_contents.hpp"
+#include "incognita/io/recordings/bags/bag_contents.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <tuple>
+
+#include "incognita/io/formats/reading_progress.hpp"
 
 namespace incognita {
 namespace {
@@ -100,7 +102,12 @@ BagContents read_contents(const bags::Bag& bag, const ChosenTopics& topics) {
   for (const BagTopic* topic : {topics.images, topics.camera_info, topics.truth})
     if (topic) wanted.push_back(topic);
   ContentsReader reader(bag, topics);
-  for (const Wanted& message : in_file_order(wanted)) reader.read(message);
+  const std::vector<Wanted> messages = in_file_order(wanted);
+  ReportedReading reading(bag.path(), "messages", messages.size());
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    reader.read(messages[i]);
+    reading.done(i + 1);
+  }
   return std::move(reader.contents);
 }
 

@@ -1,4 +1,4 @@
-#include "incognita/io/recordings/bag_camera.hpp"
+#include "incognita/io/recordings/bags/bag_camera.hpp"
 
 #include <fmt/format.h>
 

@@ -9,8 +9,8 @@
 
 #include "incognita/io/bags/bag.hpp"
 #include "incognita/io/bags/messages.hpp"
-#include "incognita/io/recordings/bag_topics.hpp"
-#include "incognita/io/recordings/bag_transforms.hpp"
+#include "incognita/io/recordings/bags/bag_topics.hpp"
+#include "incognita/io/recordings/bags/bag_transforms.hpp"
 
 namespace incognita {
 

@@ -5,11 +5,11 @@
 
 #include "incognita/io/bags/bag.hpp"
 #include "incognita/io/bags/bag_folder.hpp"
-#include "incognita/io/recordings/bag_camera.hpp"
-#include "incognita/io/recordings/bag_contents.hpp"
-#include "incognita/io/recordings/bag_images.hpp"
-#include "incognita/io/recordings/bag_topics.hpp"
-#include "incognita/io/recordings/bag_truth.hpp"
+#include "incognita/io/recordings/bags/bag_camera.hpp"
+#include "incognita/io/recordings/bags/bag_contents.hpp"
+#include "incognita/io/recordings/bags/bag_images.hpp"
+#include "incognita/io/recordings/bags/bag_topics.hpp"
+#include "incognita/io/recordings/bags/bag_truth.hpp"
 #include "incognita/io/recordings/recording_formats.hpp"
 #include "incognita/messages/errors.hpp"
 

@@ -1,4 +1,4 @@
-#include "incognita/io/recordings/bag_truth.hpp"
+#include "incognita/io/recordings/bags/bag_truth.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "incognita/io/recordings/bag_contents.hpp"
+#include "incognita/io/recordings/bags/bag_contents.hpp"
 #include "incognita/io/recordings/recording.hpp"
 
 namespace incognita {

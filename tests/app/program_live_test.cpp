@@ -155,7 +155,7 @@ TEST(ProgramLive, TakesItsImagesFromTheNetworkUntilTheStreamHasEndedForGood) {
   const Ended run = incognita(from_network(server, "2.5"), scratch.folder());
   EXPECT_EQ(run.code, 1);
   EXPECT_SAYS(run.err,
-              server.address() + ": gives no image any more: the server ended the stream; trying again");
+              server.address() + ": gives no image any more: the stream broke off; trying again");
   EXPECT_SAYS(run.err, server.address() + ": gives images again");
   const auto summary = testing::summary_of(scratch / "seen");
   EXPECT_EQ(summary["status"], "failed");

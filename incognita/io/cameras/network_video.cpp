@@ -63,7 +63,7 @@ std::string reason_and_remedy(int error) {
     case AVERROR(EIO):
       return "its host is not found, or ends the connection at once; is its name right?";
     case AVERROR_EOF:
-      return "the server ended the stream";
+      return "the stream broke off";
     default:
       return ffmpeg_text(error) +
              "; is it on, is its name right, and does `ffplay` show it from this machine?";
@@ -174,7 +174,8 @@ class NetworkVideo final : public VideoConnection {
       fail_with(AVERROR_EXIT);  // even if there is a packet: the one before, which was held back
     if (error == AVERROR(EAGAIN)) return true;
     if (error == AVERROR_EOF && is_recorded()) return avcodec_send_packet(decoder_.get(), nullptr) >= 0;
-    if (error < 0) fail_with(error == AVERROR(EIO) ? AVERROR_EOF : error);
+    if (error == AVERROR(EIO) || error == AVERROR_INVALIDDATA) fail_with(AVERROR_EOF);
+    if (error < 0) fail_with(error);
     const bool is_image = packet_->stream_index == stream_->index;
     if (is_image) patience_.renew();
     const int refused = is_image ? avcodec_send_packet(decoder_.get(), packet_.get()) : 0;

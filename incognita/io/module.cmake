@@ -39,10 +39,14 @@ incognita_module(bags FOLDERS io/bags USES incognita::math incognita::messages
                  PRIVATE_USES Boost::headers fmt::fmt PkgConfig::YAML_CPP PkgConfig::LZ4 PkgConfig::ZSTD
                               BZip2::BZip2)
 
+# Streams of the network; OpenCV's videoio uses the same libraries
+pkg_check_modules(FFMPEG REQUIRED IMPORTED_TARGET GLOBAL libavformat libavcodec libavutil libswscale)
+
 incognita_module(io FOLDERS io/formats io/scenario io/calibrations io/recordings io/recordings/bags io/cameras
                  SOURCES ${embedded_sources}
                  USES incognita::models incognita::messages incognita::analysis incognita::world incognita::bags
-                 PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs opencv_imgproc opencv_videoio PkgConfig::MATIO PkgConfig::YAML_CPP)
+                 PRIVATE_USES fmt::fmt opencv_core opencv_imgcodecs opencv_imgproc opencv_videoio PkgConfig::FFMPEG PkgConfig::MATIO
+                              PkgConfig::YAML_CPP)
 target_compile_definitions(incognita_io PRIVATE INCOGNITA_VERSION="${PROJECT_VERSION}")
 
 # Separate, since nothing else draws

@@ -13,15 +13,25 @@ double steady_s() {
 }
 
 double StreamTimes::time_of(double reported_s, double arrived_s) {
-  constexpr double most_apart_s = 1, least_step_s = 1e-6;
-  if (!is_first_) {
-    const double reported = reported_s - reported_s_, arrived = arrived_s - arrived_s_;
-    const bool is_plausible = reported_s > 0 && reported > 0 && std::abs(reported - arrived) <= most_apart_s;
-    t_ = rounded_to_us(t_ + std::max(is_plausible ? reported : arrived, least_step_s));
-  }
-  is_first_ = false;
-  reported_s_ = reported_s, arrived_s_ = arrived_s;
-  return t_;
+  constexpr double least_step_s = 1e-6, most_apart_s = 5;
+  const double apart_s = (reported_s - origin_.reported_s) - (arrived_s - origin_.arrived_s);
+  const bool is_reported = is_related_ && is_trusted_ && is_plausible(reported_s, arrived_s);
+  if (is_reported && std::abs(apart_s) > most_apart_s) is_trusted_ = false;
+  double t = is_reported && is_trusted_ ? origin_.t + reported_s - origin_.reported_s
+                                        : last_.t + arrived_s - last_.arrived_s;
+  t = is_first_ ? 0 : rounded_to_us(std::max(t, last_.t + least_step_s));
+  last_ = {t, reported_s, arrived_s};
+  if (!is_reported) origin_ = last_;
+  is_first_ = false, is_related_ = true;
+  return t;
+}
+
+void StreamTimes::start_anew() { is_related_ = false, is_trusted_ = true; }
+
+bool StreamTimes::is_plausible(double reported_s, double arrived_s) const {
+  constexpr double most_ahead_s = 1;
+  const double step_s = reported_s - last_.reported_s;
+  return reported_s > 0 && step_s > 0 && step_s - (arrived_s - last_.arrived_s) <= most_ahead_s;
 }
 
 }  // namespace incognita

@@ -1,12 +1,16 @@
-// Runs whose images come from a camera, a video in real time: what they record is kept, and repeats them.
+// Runs whose images come from a camera: a video in real time, and a stream of the network. What they record is kept, and repeats them.
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <atomic>
+#include <chrono>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "tests/app/program.hpp"
+#include "tests/mjpeg_server.hpp"
+#include "tests/numbered_images.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -15,6 +19,7 @@ namespace {
 using testing::Circumstances;
 using testing::Ended;
 using testing::incognita;
+using testing::MjpegServer;
 using testing::Program;
 using testing::Scratch;
 using testing::Words;
@@ -103,6 +108,102 @@ TEST(ProgramLive, IsInterruptedWhileItWaits) {
   program.signal(SIGINT);
   EXPECT_EQ(program.wait().code, 1);
   EXPECT_EQ(testing::summary_of(scratch / "waits")["status"], "interrupted");
+}
+
+Words from_network(const MjpegServer& server, const std::string& give_up_s) {
+  Words words = live(server.address(), "seen");
+  words.insert(words.end(), {"--set", "live.give_up_s=" + give_up_s});
+  return words;
+}
+
+/// Some of the numbers, 1/15 s apart.
+void serve_numbers(MjpegServer::Viewer& viewer, int from, int to) {
+  viewer.accept_request();
+  for (int k = from; k < to; ++k)
+    if (!viewer.send_image(testing::numbered_jpeg(k, 320, 240)) || !viewer.wait_for(1 / 15.0)) return;
+}
+
+struct RecordedImage {
+  double t = 0;
+  int number = 0;
+};
+
+std::vector<RecordedImage> recorded_images(const std::filesystem::path& recording) {
+  std::vector<RecordedImage> images;
+  for (const std::string& line : testing::lines(recording / "rgb.txt")) {
+    if (line.starts_with("#")) continue;
+    const std::string file = (recording / line.substr(line.find(' ') + 1)).string();
+    images.push_back(
+        {std::stod(line), testing::number_of(cv::imread(file, cv::IMREAD_GRAYSCALE).at<std::uint8_t>(5, 5))});
+  }
+  return images;
+}
+
+TEST(ProgramLive, TakesItsImagesFromTheNetworkUntilTheStreamHasEndedForGood) {
+  const Scratch scratch;
+  std::atomic<int> connections = 0;
+  MjpegServer server([&](MjpegServer::Viewer& viewer) {
+    switch (connections++) {
+      case 0:
+        return serve_numbers(viewer, 0, 12);
+      case 1:
+        return serve_numbers(viewer, 12, 24);
+      default:
+        viewer.refuse("404 Not Found");
+    }
+  });
+  const Ended run = incognita(from_network(server, "2.5"), scratch.folder());
+  EXPECT_EQ(run.code, 1);
+  EXPECT_SAYS(run.err,
+              server.address() + ": gives no image any more: the stream broke off; trying again");
+  EXPECT_SAYS(run.err, server.address() + ": gives images again");
+  const auto summary = testing::summary_of(scratch / "seen");
+  EXPECT_EQ(summary["status"], "failed");
+  EXPECT_SAYS(summary["reason"].get<std::string>(), "no image for 2.");
+  EXPECT_SAYS(summary["reason"].get<std::string>(),
+              server.address() + ": the server answers and has nothing at this path");
+  EXPECT_EQ(summary["camera_connections"], 2);
+
+  const auto images = recorded_images(scratch / "seen/recording");
+  ASSERT_GE(images.size(), 4u);
+  EXPECT_EQ(summary["frames"].get<std::size_t>(), images.size());
+  EXPECT_LT(images.front().number, 12);
+  EXPECT_GE(images.back().number, 12) << "also from the second connection";
+  for (std::size_t k = 1; k < images.size(); ++k) {
+    EXPECT_GT(images[k].number, images[k - 1].number);
+    EXPECT_GT(images[k].t, images[k - 1].t);
+  }
+  const double shown_s =
+      (images.back().number - images.front().number) / 15.0 + 1;  // a second until it is tried again
+  EXPECT_NEAR(images.back().t - images.front().t, shown_s, 1);
+}
+
+TEST(ProgramLive, GivesUpAStreamThatStalls) {
+  const Scratch scratch;
+  MjpegServer server([](MjpegServer::Viewer& viewer) {
+    serve_numbers(viewer, 0, 5);
+    viewer.wait_for(60);
+  });
+  const Ended run = incognita(from_network(server, "1.5"), scratch.folder());
+  EXPECT_EQ(run.code, 1);
+  EXPECT_SAYS(testing::summary_of(scratch / "seen")["reason"].get<std::string>(),
+              server.address() + ": is connected, and gives no image");
+  EXPECT_FALSE(recorded_images(scratch / "seen/recording").empty());
+}
+
+TEST(ProgramLive, IsInterruptedWhileTheNetworkStalls) {
+  const Scratch scratch;
+  MjpegServer server([](MjpegServer::Viewer& viewer) {
+    serve_numbers(viewer, 0, 5);
+    viewer.wait_for(60);
+  });
+  Program program(from_network(server, "60"), Circumstances{scratch.folder()});
+  ASSERT_TRUE(testing::has_lines(scratch / "seen/recording/rgb.txt", 2));
+  program.signal(SIGINT);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(program.wait().code, 1);
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 4);
+  EXPECT_EQ(testing::summary_of(scratch / "seen")["status"], "interrupted");
 }
 
 TEST(ProgramLive, SaysWhichCameraCannotBeUsed) {

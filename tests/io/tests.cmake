@@ -1,7 +1,8 @@
 incognita_test(pinhole_test SOURCES models/pinhole_test.cpp models/fisheye_test.cpp USES incognita::models opencv_core opencv_calib3d)
 incognita_test(settings_test SOURCES io/settings_test.cpp io/camera_file_test.cpp io/decision_checks_test.cpp io/enum_words_test.cpp USES incognita::io)
 incognita_test(recording_test SOURCES io/euroc_camera_test.cpp io/recording_test.cpp USES incognita::io incognita::world opencv_core opencv_imgcodecs)
-incognita_test(video_test SOURCES io/video_test.cpp io/video_stream_test.cpp io/true_poses_test.cpp USES incognita::io incognita::world opencv_core opencv_videoio)
+incognita_test(video_test SOURCES io/network_stream_test.cpp io/video_test.cpp io/video_stream_test.cpp io/true_poses_test.cpp
+               USES incognita::io incognita::world opencv_core opencv_imgcodecs opencv_videoio)
 incognita_test(mutation_test SOURCES io/mutation_test.cpp USES incognita::io opencv_core opencv_imgcodecs
                PkgConfig::MATIO)
 incognita_test(system_file_test SOURCES io/system_file_test.cpp io/toml_value_test.cpp USES incognita::io)

@@ -29,6 +29,32 @@ TEST(StreamTimes, FollowTheArrivalWhereNothingPlausibleIsReported) {
   EXPECT_NEAR(jumps.time_of(9000, 10.12), 0.11, 1e-9) << "far ahead of what has passed";
 }
 
+TEST(StreamTimes, KeepTheReportedTimesOfImagesThatANetworkHeldUp) {
+  StreamTimes times;
+  times.time_of(50, 10);
+  EXPECT_NEAR(times.time_of(50.1, 13.0), 0.1, 1e-9) << "three seconds late";
+  for (int k = 2; k < 30; ++k) EXPECT_NEAR(times.time_of(50 + 0.1 * k, 13 + 1e-3 * k), 0.1 * k, 1e-9);
+}
+
+TEST(StreamTimes, FollowTheArrivalWhereTheClockOfTheStreamIsWrong) {
+  StreamTimes slow;
+  double t = 0;
+  for (int k = 0; k <= 300; ++k) t = slow.time_of(1 + 0.04 * k, 10 + 0.1 * k);
+  EXPECT_NEAR(t, 25, 0.2) << "of 30 s";
+  StreamTimes fast;
+  for (int k = 0; k <= 300; ++k) t = fast.time_of(1 + 0.1 * k, 10 + 0.04 * k);
+  EXPECT_NEAR(t, 17, 0.2) << "of 12 s";
+}
+
+TEST(StreamTimes, StartAnewWithAnotherConnection) {
+  StreamTimes times;
+  times.time_of(1, 10);
+  times.time_of(1.1, 10.1);
+  times.start_anew();
+  EXPECT_NEAR(times.time_of(1.2, 15.1), 5.1, 1e-9) << "another clock, which happens to be later";
+  EXPECT_NEAR(times.time_of(1.3, 15.25), 5.2, 1e-9);
+}
+
 TEST(StreamTimes, AlwaysIncreaseByAMicrosecond) {
   StreamTimes times;
   times.time_of(0, 10);

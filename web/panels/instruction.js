@@ -1,5 +1,6 @@
 // The command to the operator who holds the camera: in large type over the whole width, and by voice.
 import { button, element } from './dom.js';
+import { Voice } from './voice.js';
 /** @typedef {import('../state/run-state.js').RunState} RunState */
 /** @typedef {import('../state/types.js').Snapshot} Snapshot */
 
@@ -23,24 +24,22 @@ export function instructionOf(snapshot) {
 /** @param {RunState} run @returns {HTMLElement} */
 export function instructionLine(run) {
   const large = element('p', { class: 'instruction-words', 'aria-live': 'assertive' });
-  let voice = false;
+  const problem = element('p', { class: 'instruction-problem', role: 'status' });
+  const voice = 'speechSynthesis' in window ? new Voice(window.speechSynthesis, showProblem) : null;
+  let speaks = false;
   let said = '';
   const speak = button('Voice', () => {
-    voice = !voice;
-    speak.setAttribute('aria-pressed', String(voice));
-    if (voice) say(said);
-    else window.speechSynthesis?.cancel();
+    speaks = !speaks;
+    speak.setAttribute('aria-pressed', String(speaks));
+    if (speaks) voice?.say(said);
+    else voice?.stop();
+    showProblem();
   }, { 'aria-pressed': 'false' });
-  const made = element('div', { class: 'instruction', hidden: true }, large, speak);
-  speak.hidden = !('speechSynthesis' in window);
+  const made = element('div', { class: 'instruction', hidden: true }, large, speak, problem);
+  speak.hidden = !voice;
 
-  /** @param {string} words */
-  function say(words) {
-    if (!voice || !words) return;
-    window.speechSynthesis.cancel();
-    const utterance = new SpeechSynthesisUtterance(words);
-    utterance.lang = 'en';
-    window.speechSynthesis.speak(utterance);
+  function showProblem() {
+    problem.textContent = (speaks && voice?.problem) || '';
   }
   run.on('snapshot info', () => {
     const isHeld = run.snapshot?.bodies.some((body) => body.operator_controlled) ?? false;
@@ -50,7 +49,7 @@ export function instructionLine(run) {
     if (words === said && !decided) return;
     said = words;
     large.textContent = words;
-    say(words);
+    if (speaks) voice?.say(words);
   });
   return made;
 }

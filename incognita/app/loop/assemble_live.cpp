@@ -4,6 +4,7 @@
 #include "incognita/app/loop/body_models.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/decision.hpp"
+#include "incognita/io/cameras/video_address.hpp"
 #include "incognita/io/cameras/video_stream.hpp"
 #include "incognita/io/formats/data_folder.hpp"
 #include "incognita/io/scenario/camera.hpp"
@@ -17,7 +18,7 @@ namespace {
 /// A device or an address as it is; a video beside the scenario or under the data folder.
 std::string place_of(const LoadedScenario& loaded) {
   const std::string& source = loaded.scenario.live.source;
-  if (source.starts_with("/dev/") || source.find("://") != std::string::npos) return source;
+  if (is_device(source) || is_address(source)) return source;
   return find_data(source, loaded.file, loaded.source_of("live.source") + ": live.source").string();
 }
 
@@ -48,7 +49,8 @@ Assembly assemble_live_camera(const LoadedScenario& loaded, const LiveSources& s
   out.live = std::make_shared<LiveFeed>(
       feed, std::make_shared<SizedImages>(source_of(loaded, sources), camera.width(), camera.height()),
       steady_s);
-  if (sources.is_check_only) out.notes.push_back("the camera, " + s.live.source + ", is not tried");
+  if (sources.is_check_only)
+    out.notes.push_back("the camera, " + without_password(s.live.source) + ", is not tried");
   if (!target) out.notes.emplace_back("no target: the scale is unobservable, lengths are in arbitrary units");
   auto estimator = image_estimator(loaded, camera, target);
   auto strategy = decide_for(*estimator, active_settings_of(s));

@@ -3,143 +3,178 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <opencv2/core.hpp>
-#include <opencv2/videoio.hpp>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
 #include <utility>
 
+#include "incognita/io/cameras/video_address.hpp"
 #include "incognita/io/formats/files.hpp"
-#include "incognita/io/formats/gray_image.hpp"
 #include "incognita/messages/errors.hpp"
+#include "incognita/messages/newest.hpp"
 #include "incognita/messages/stream_times.hpp"
 
 namespace incognita {
-namespace {
 
-constexpr double retry_s = 1, nap_s = 0.02;
-constexpr int network_timeout_ms = 5000;
+/// Takes the images of one source in a thread, and connects again where that breaks.
+class VideoStream::Follower {
+ public:
+  explicit Follower(VideoStreamSettings settings)
+      : settings_(std::move(settings)),
+        name_(without_password(settings_.source)),
+        connection_(open_video(settings_, stop_)) {}
 
-bool is_device(const std::string& source) { return source.starts_with("/dev/"); }
-bool is_address(const std::string& source) { return source.find("://") != std::string::npos; }
-
-std::string remedy(const std::string& source) {
-  if (is_device(source))
-    return "is it plugged in, used by no other program, and may you read it (group `video`)? `v4l2-ctl --list-devices` lists those there are";
-  if (is_address(source)) return "does another player show it from this machine?";
-  return "it is damaged, or of a kind that FFmpeg does not know";
-}
-
-std::string why_not_open(const std::string& source) {
-  return fmt::format("{}: cannot be opened: {}", source, remedy(source));
-}
-
-}  // namespace
-
-struct VideoStream::Capture {
-  cv::VideoCapture video;
-  StreamTimes times = {};
-  bool is_file = false;
-
-  bool open(const VideoStreamSettings& s) {
-    try {
-      if (is_device(s.source)) {
-        video.open(s.source, cv::CAP_V4L2);
-        video.set(cv::CAP_PROP_FRAME_WIDTH, s.width_px);
-        video.set(cv::CAP_PROP_FRAME_HEIGHT, s.height_px);
-        video.set(cv::CAP_PROP_FPS, s.rate_hz);
-        video.set(cv::CAP_PROP_BUFFERSIZE, 1);
-      } else {
-        video.open(s.source, cv::CAP_FFMPEG,
-                   {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, network_timeout_ms, cv::CAP_PROP_READ_TIMEOUT_MSEC,
-                    network_timeout_ms});
-        video.set(cv::CAP_PROP_ORIENTATION_AUTO, 0);
-      }
-    } catch (const cv::Exception&) {
-      return false;
-    }
-    return video.isOpened();
+  void follow() {
+    while (fails()) connect_again();
+    ended_ = !*stop_;
+    connection_.reset();
+    const std::lock_guard lock(mutex_);
+    is_over_ = true;
+    over_.notify_all();
   }
+
+  /// Waits for the thread, but not for a driver or a network that does not return.
+  void end() {
+    constexpr std::chrono::milliseconds most(300);
+    *stop_ = true;
+    std::unique_lock lock(mutex_);
+    over_.wait_for(lock, most, [this] { return is_over_; });
+  }
+
+  std::optional<LiveReading> read(double wait_s) { return images_.take(wait_s); }
+  bool has_ended() const { return ended_; }
+  std::string problem() const {
+    constexpr double stall_s = 1;
+    const std::lock_guard lock(mutex_);
+    if (!problem_.empty()) return fmt::format("{}: {}", name_, problem_);
+    if (ended_ || steady_s() - last_image_s_ < stall_s) return "";
+    return fmt::format("{}: is connected, and gives no image", name_);
+  }
+  std::vector<std::string> take_events() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(events_, {});
+  }
+  std::vector<std::pair<std::string, std::int64_t>> counts() const {
+    return {{"camera_dropped_images", images_.dropped()},
+            {"camera_damaged_images", damaged_},
+            {"camera_connections", connections_}};
+  }
+
+ private:
+  /// False at the end of a video. An image that cannot be used is a failure, too.
+  bool fails() {
+    try {
+      grab_all();
+      return false;
+    } catch (const std::exception& error) {  // also cv::Exception
+      if (*stop_) return false;
+      set_problem(error.what());
+      if (connection_->is_recorded()) {
+        note(fmt::format("{}: ends before its end: {}", name_, error.what()));
+        return false;
+      }
+      if (!std::exchange(is_gone_, true))
+        note(fmt::format("{}: gives no image any more: {}; trying again", name_, error.what()));
+      return true;
+    }
+  }
+
+  void grab_all() {
+    const double start_s = steady_s();
+    std::optional<double> first_s;
+    times_.start_anew();
+    while (!*stop_ && connection_->grab()) {
+      const double arrived_s = steady_s();
+      std::optional<Image> image = connection_->image();
+      if (!image) {
+        ++damaged_;
+        continue;
+      }
+      const double reported_s = connection_->reported_s();
+      if (!first_s) first_s = reported_s;
+      const double shown_s = start_s + reported_s - *first_s;  // of a video
+      const double t = times_.time_of(reported_s, connection_->is_recorded() ? shown_s : arrived_s);
+      if (connection_->is_recorded()) wait_for(shown_s - steady_s());
+      put({t, std::make_shared<const Image>(*std::move(image))});
+    }
+  }
+
+  void put(LiveReading reading) {
+    if (std::exchange(is_gone_, false)) {
+      note(fmt::format("{}: gives images again", name_));
+      set_problem("");
+    }
+    last_image_s_ = steady_s();
+    images_.put(std::move(reading));
+  }
+
+  void connect_again() {
+    constexpr double retry_s = 1;
+    connection_.reset();
+    while (!connection_ && !*stop_) {
+      wait_for(retry_s);
+      try {
+        if (!*stop_) connection_ = open_video(settings_, stop_), ++connections_;
+      } catch (const std::exception& error) {
+        set_problem(error.what());
+      }
+    }
+  }
+
+  void wait_for(double s) const {
+    constexpr double nap_s = 0.02;
+    const double until_s = steady_s() + s;
+    for (double left_s = s; left_s > 0 && !*stop_; left_s = until_s - steady_s())
+      std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, nap_s)));
+  }
+
+  void set_problem(const std::string& problem) {
+    const std::lock_guard lock(mutex_);
+    problem_ = problem;
+  }
+
+  void note(std::string event) {
+    const std::lock_guard lock(mutex_);
+    events_.push_back(std::move(event));
+  }
+
+  const VideoStreamSettings settings_;
+  const std::string name_;
+  const std::shared_ptr<std::atomic<bool>> stop_ = std::make_shared<std::atomic<bool>>(false);
+  std::unique_ptr<VideoConnection> connection_;  ///< of the thread, like the next two
+  StreamTimes times_;
+  bool is_gone_ = false;
+  Newest<LiveReading> images_;
+  std::atomic<bool> ended_ = false;
+  std::atomic<double> last_image_s_ = steady_s();
+  std::atomic<std::int64_t> damaged_ = 0, connections_ = 1;
+  mutable std::mutex mutex_;  ///< of all below
+  std::condition_variable over_;
+  bool is_over_ = false;
+  std::string problem_;
+  std::vector<std::string> events_;
 };
 
-VideoStream::VideoStream(VideoStreamSettings settings)
-    : settings_(std::move(settings)), capture_(std::make_unique<Capture>()) {
-  capture_->is_file = !is_device(settings_.source) && !is_address(settings_.source);
-  if (capture_->is_file && !file_exists(settings_.source))
-    throw InputError(fmt::format("{}: there is no such video", settings_.source));
-  if (!capture_->open(settings_)) throw InputError(why_not_open(settings_.source));
-  thread_ = std::thread([this] { follow(); });
-}
-
-VideoStream::~VideoStream() {
-  stop_ = true;
-  thread_.join();
-}
-
-/// A camera that is gone, and a stream that is cut, are opened again as soon as that is possible.
-void VideoStream::follow() {
-  while (!stop_) {
-    if (!fails() || stop_) break;
-    if (!gone_.exchange(true))
-      note(fmt::format("{}: gives no image any more; trying again", settings_.source));
-    capture_->video.release();
-    do wait_for(retry_s);
-    while (!stop_ && !capture_->open(settings_));
-    if (!stop_) note(fmt::format("{}: gives images again", settings_.source)), gone_ = false;
-  }
-  ended_ = capture_->is_file;
-}
-
-/// An image that cannot be used is the end of a stream, too.
-bool VideoStream::fails() {
+VideoStream::VideoStream(VideoStreamSettings settings) {
+  const std::string& source = settings.source;
+  if (!is_device(source) && !is_address(source) && !file_exists(source))
+    throw InputError(fmt::format("{}: there is no such video", source));
   try {
-    return grab_until_it_fails();
-  } catch (const std::exception& error) {  // also cv::Exception
-    note(fmt::format("{}: {}", settings_.source, error.what()));
-    return !capture_->is_file;
+    follower_ = std::make_shared<Follower>(settings);
+  } catch (const std::runtime_error& error) {
+    throw InputError(fmt::format("{}: cannot be opened: {}", without_password(source), error.what()));
   }
+  std::thread([follower = follower_] { follower->follow(); }).detach();
 }
 
-/// False at the end of a file, which is played in its own time.
-bool VideoStream::grab_until_it_fails() {
-  Capture& c = *capture_;
-  const double start_s = steady_s();
-  while (!stop_) {
-    if (!c.video.grab()) return !c.is_file;
-    const double reported_s = c.video.get(cv::CAP_PROP_POS_MSEC) / 1000;
-    const double t = c.times.time_of(reported_s, c.is_file ? start_s + reported_s : steady_s());
-    if (c.is_file) wait_for(start_s + t - steady_s());
-    cv::Mat decoded;
-    if (!c.video.retrieve(decoded) || decoded.empty()) continue;
-    images_.put({t, std::make_shared<const Image>(gray_image(decoded))});
-  }
-  return false;
-}
+VideoStream::~VideoStream() { follower_->end(); }
 
-void VideoStream::wait_for(double s) const {
-  const double until_s = steady_s() + s;
-  for (double left_s = s; left_s > 0 && !stop_; left_s = until_s - steady_s())
-    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, nap_s)));
-}
-
-void VideoStream::note(std::string event) {
-  const std::lock_guard lock(mutex_);
-  events_.push_back(std::move(event));
-}
-
-std::optional<LiveReading> VideoStream::read(double wait_s) { return images_.take(wait_s); }
-
-std::string VideoStream::problem() const {
-  return gone_ ? fmt::format("{}: gives no image any more: {}", settings_.source, remedy(settings_.source))
-               : "";
-}
-
-std::vector<std::string> VideoStream::take_events() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(events_, {});
-}
-
-std::vector<std::pair<std::string, std::int64_t>> VideoStream::counts() const {
-  return {{"camera_dropped_images", images_.dropped()}};
-}
+std::optional<LiveReading> VideoStream::read(double wait_s) { return follower_->read(wait_s); }
+bool VideoStream::has_ended() const { return follower_->has_ended(); }
+std::string VideoStream::problem() const { return follower_->problem(); }
+std::vector<std::string> VideoStream::take_events() { return follower_->take_events(); }
+std::vector<std::pair<std::string, std::int64_t>> VideoStream::counts() const { return follower_->counts(); }
 
 }  // namespace incognita

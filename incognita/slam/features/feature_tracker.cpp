@@ -109,6 +109,7 @@ void FeatureTracker::start_map(Estimate& estimate, const std::optional<TargetPos
     add_anchor(placement_.target->corners[i].position, *std::move(view), estimate, camera_);
   }
   if (pose) correct_by_target(estimate);
+  expect_depth_of_target(estimate);
   // The first map is initialized at once: without a target there is nothing else to track
   for (;;) {
     const std::size_t before = camera_.features.size();
@@ -119,6 +120,21 @@ void FeatureTracker::start_map(Estimate& estimate, const std::optional<TargetPos
   if (!camera_.settings.bundle.adjust) return;
   keyframes_.start(camera_.view.camera, pose_cov(estimate), estimate.bodies[camera_.body].t);
   add_new_landmarks_to_keyframe(std::numeric_limits<std::int64_t>::min());
+}
+
+/// A target that is nearer than the prior of the depth admits hangs on something that is near too, a wall or a table: the prior of the
+/// first landmarks is then scaled to it, as later to the landmarks in view.
+void FeatureTracker::expect_depth_of_target(const Estimate& estimate) {
+  constexpr double admitted_sigmas = 2;
+  const InitializationSettings& s = camera_.settings.initialization;
+  const Eigen::Vector3d from = free_camera::position(camera_.view.camera);
+  distances_.clear();
+  for (const auto& [id, feature] : camera_.features)
+    distances_.push_back((estimate.landmarks.at(id).position - from).norm());
+  if (distances_.empty()) return;
+  const double distance_m = median(distances_);
+  if (1 / distance_m > s.inverse_depth_per_m + admitted_sigmas * s.sigma_inverse_depth_per_m)
+    camera_.median_depth_m = distance_m;
 }
 
 Eigen::Matrix<double, 6, 6> FeatureTracker::start_cov(const TargetPose& pose) const {

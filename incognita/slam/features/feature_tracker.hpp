@@ -157,6 +157,7 @@ class FeatureTracker {
   };
   NewLandmarks new_landmarks(const Estimate& estimate) const;
   void correct_by_target(Estimate& estimate);
+  void expect_depth_of_target(const Estimate& estimate);
   void add_landmarks(Estimate& estimate);
   bool add_keyframe(Estimate& estimate, const AnyMotion& motion);
   Eigen::Matrix<double, 6, 6> pose_cov(const Estimate& estimate) const;

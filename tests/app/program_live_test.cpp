@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
+#include <thread>
 
 #include "tests/app/program.hpp"
 #include "tests/mjpeg_server.hpp"
@@ -154,8 +155,7 @@ TEST(ProgramLive, TakesItsImagesFromTheNetworkUntilTheStreamHasEndedForGood) {
   });
   const Ended run = incognita(from_network(server, "2.5"), scratch.folder());
   EXPECT_EQ(run.code, 1);
-  EXPECT_SAYS(run.err,
-              server.address() + ": gives no image any more: the stream broke off; trying again");
+  EXPECT_SAYS(run.err, server.address() + ": gives no image any more: the stream broke off; trying again");
   EXPECT_SAYS(run.err, server.address() + ": gives images again");
   const auto summary = testing::summary_of(scratch / "seen");
   EXPECT_EQ(summary["status"], "failed");
@@ -193,12 +193,15 @@ TEST(ProgramLive, GivesUpAStreamThatStalls) {
 
 TEST(ProgramLive, IsInterruptedWhileTheNetworkStalls) {
   const Scratch scratch;
-  MjpegServer server([](MjpegServer::Viewer& viewer) {
+  std::atomic<bool> stalls = false;
+  MjpegServer server([&](MjpegServer::Viewer& viewer) {
     serve_numbers(viewer, 0, 5);
+    stalls = true;
     viewer.wait_for(60);
   });
   Program program(from_network(server, "60"), Circumstances{scratch.folder()});
-  ASSERT_TRUE(testing::has_lines(scratch / "seen/recording/rgb.txt", 2));
+  ASSERT_TRUE(testing::has_lines(scratch / "seen/effective.toml", 10));
+  while (!stalls) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   program.signal(SIGINT);
   const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(program.wait().code, 1);

@@ -1,8 +1,10 @@
 // An operator takes a body over by keys, drives it and gives it back.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import test from 'node:test';
 import { openPage } from './harness/page.mjs';
-import { watchedRun } from './harness/program.mjs';
+import { finishedRun, watchedRun } from './harness/program.mjs';
 import { connectViewer } from './harness/viewer.mjs';
 import { pass, until } from './harness/waiting.mjs';
 
@@ -143,8 +145,8 @@ test('a body stops when the viewer that drives it is gone', async (t) => {
   assert.deepEqual(other.refused, []);
 });
 
-test('a body stops when the viewer that drives it falls silent', async (t) => {
-  const run = await watchedRun(t, 'room', ['--duration', '120']);
+test('a body stops when the viewer that drives it falls silent, and the run can be repeated', async (t) => {
+  const run = await watchedRun(t, 'room', ['--duration', '6']);
   const viewer = await connectViewer(t, run.address);
   const drives = drivesSeenBy(viewer);
   await viewer.atFrame(5);
@@ -155,7 +157,10 @@ test('a body stops when the viewer that drives it falls silent', async (t) => {
   assert(performance.now() - sent > HOLDS_MS, 'it is not stopped before its time');
   assert.deepEqual(drives[1], { type: 'drive', body: 1, ...REST });
   assert.equal(viewer.snapshot.bodies[0].manual, true, 'the body is not given back');
-  await pass(3 * HOLDS_MS);
+  await until(() => viewer.state.ended, 'the end of the run');
   assert.equal(drives.length, 2, 'it is stopped once');
   assert.deepEqual(viewer.refused, []);
+  const again = await finishedRun('room', ['--duration', '6', '--replay-commands', run.folder]);
+  for (const name of ['interventions.jsonl', 'truth.tum', 'estimate.tum', 'measurements.csv', 'actions.csv'])
+    assert(readFileSync(join(run.folder, name)).equals(readFileSync(join(again, name))), `${name} differs`);
 });

@@ -34,10 +34,11 @@ std::string refused(const std::string& why) {
 
 }  // namespace
 
-void BrowserCamera::expect(int width_px, int height_px) {
+void BrowserCamera::expect(int width_px, int height_px, const std::string& remedy) {
   images_.clear();  // of an earlier run
   const std::lock_guard lock(mutex_);
   width_px_ = width_px, height_px_ = height_px;
+  remedy_ = remedy;
 }
 
 void BrowserCamera::joined(std::uint64_t id, Viewer& viewer) { viewers_[id] = &viewer; }
@@ -68,10 +69,8 @@ std::string BrowserCamera::refusal_of(std::uint64_t id, std::string_view message
   if (sender_ && *sender_ != id) return "another camera sends already; end that first";
   const std::lock_guard lock(mutex_);
   if (width_px_ > 0 && (number("width") != width_px_ || number("height") != height_px_))
-    return fmt::format(
-        "the camera gives images of {}x{} px, and camera.width_px and camera.height_px expect {}x{}: hold a phone "
-        "so that the image lies as it was calibrated, or set the camera's calibration for this size",
-        number("width"), number("height"), width_px_, height_px_);
+    return fmt::format("the camera gives images of {}x{} px, and {}x{} are expected: {}", number("width"),
+                       number("height"), width_px_, height_px_, remedy_);
   return "";
 }
 

@@ -24,14 +24,18 @@ class BrowserCamera final : public ViewerProtocol {
  public:
   static constexpr const char* subprotocol = "incognita.camera.v1";
   static constexpr std::size_t largest_message = 4u << 20;
+  static constexpr const char* of_calibrated_camera =
+      "hold a phone so that the image lies as it was calibrated, or set camera.width_px and camera.height_px with the calibration for this "
+      "size";
 
   struct Received {
     double t = 0;  ///< s, from 0 at the first image, increasing, in whole microseconds
     std::string jpeg;
   };
 
-  /// A run begins, and needs images of that size; a camera of another size is refused. Images of before are forgotten.
-  void expect(int width_px, int height_px);
+  /// A run begins, and needs images of that size (0: of any); a camera of another size is refused, with the remedy. Images of before
+  /// are forgotten.
+  void expect(int width_px, int height_px, const std::string& remedy = of_calibrated_camera);
 
   // From the server's thread:
   void joined(std::uint64_t id, Viewer& viewer) override;
@@ -65,6 +69,7 @@ class BrowserCamera final : public ViewerProtocol {
 
   mutable std::mutex mutex_;  ///< of what follows
   int width_px_ = 0, height_px_ = 0;
+  std::string remedy_;  ///< for a camera of another size
   bool sends_ = false;
   std::vector<std::string> events_;
 };

@@ -182,6 +182,10 @@ void PageChannel::stop_overdue_bodies() {
   }
 }
 
+void PageChannel::forget_driver_of(std::size_t body) {
+  server_->post([this, body] { watchdog_.stopped(body); });
+}
+
 /// Plans the next look at the watchdog, as long as somebody drives.
 void PageChannel::watch_drivers() {
   const auto next = watchdog_.next();

@@ -61,6 +61,8 @@ class PageChannel final : public ViewerProtocol {
   // To all viewers:
   void refuse(const std::string& of, const std::string& why);
   void saved(const SavedState& saved);
+  /// A drive command of that body was refused: there is nothing to stop.
+  void forget_driver_of(std::size_t body);
   bool has_viewers() const { return viewer_count_ > 0; }
 
   // From the server's thread:

@@ -235,7 +235,7 @@ TEST(KittiCalibration, OfNoLensIsRefused) {
   EXPECT_HAS(complaint("calib.txt", "P0: 700 0 600 0 0 -700 180 0 0 0 1 0\n", {"", {{1241, 376}}}),
              "calib.txt:1: P0 must have focal lengths of more than 0, and has 700 and -700");
   EXPECT_HAS(complaint("calib.txt", "P0: 700 2 600 0 0 700 180 0 0 0 1 0\n", {"", {{1241, 376}}}),
-             "calib.txt:1: P0 without its last column has skew (2)");
+             "calib.txt: line 1: P0 without its last column has skew (2), which no camera model supports");
 }
 
 TEST(KittiCalibration, OfRawDataHasItsSize) {

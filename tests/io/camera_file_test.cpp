@@ -100,6 +100,41 @@ TEST(CameraFile, ThatIsMissingOrDamagedIsRefusedWithItsPlace) {
   EXPECT_HAS(Folder(live + "[camera]\nfile = 3\n").complaint(), "camera.file = 3: must be a text");
 }
 
+TEST(CameraFile, SaysWhatOfItIsNotUsed) {
+  std::string second = kalibr;
+  second.replace(0, 4, "cam1");
+  std::string notes;
+  for (const std::string& line : Folder(from_file, kalibr + second).load().overrides) notes += line + "\n";
+  EXPECT_HAS(notes, "camchain.yaml: has 2 cameras");
+}
+
+TEST(CameraFile, WithoutASizeIsRefusedWithARemedyThatARunHas) {
+  const std::string complaint =
+      Folder(live + "[camera]\nfile = \"camchain.yaml\"\n", "fx: 420\nfy: 420\ncx: 320\ncy: 240\n")
+          .complaint();
+  EXPECT_HAS(complaint, "has no image size");
+  EXPECT_HAS(complaint, "convert it with `incognita calibrate --convert FILE");
+}
+
+TEST(CameraFile, OfTheCommandLineMayLieInTheWorkingFolder) {
+  const Folder folder(live);
+  const Scratch elsewhere;
+  elsewhere.write("cam.yaml", kalibr);
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(elsewhere.folder());
+  const LoadedScenario loaded = folder.load({"camera.file=cam.yaml"});
+  std::filesystem::current_path(here);
+  expect_camera_of_file(loaded.scenario);
+}
+
+TEST(CameraFile, ThatIsEmptyIsAsIfNoneWereGiven) {
+  for (const char* empty : {"\"\"", "''", ""}) {
+    const LoadedScenario loaded = Folder(from_file).load({std::string("camera.file=") + empty});
+    EXPECT_EQ(loaded.scenario.camera.fu_px, CameraSettings{}.fu_px) << empty;
+    EXPECT_EQ(loaded.source_of("camera.file"), "default") << empty;
+  }
+}
+
 TEST(CameraFile, DoesNotHideASettingOfAnotherLens) {
   EXPECT_HAS(Folder(from_file + "kd1_per_px2 = 1e-6\n").complaint(),
              "camera.kd1_per_px2: the camera is that of camera.file");

@@ -175,6 +175,20 @@ TEST(KittiRecording, TakesTheCameraFromItsCalibration) {
   EXPECT_HAS(compare_camera(loaded, read_recording(loaded)), "the camera is taken from");
 }
 
+/// The scenario may give the camera.
+TEST(KittiRecording, IsReadWhereNoCameraModelHoldsItsCalibration) {
+  const Scratch scratch;
+  write_kitti(scratch, "00", 0);
+  using namespace std::string_literals;
+  scratch.write("00/image_0/000000.png",
+                "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x04\xd8\0\0\x01\x78\x08\0\0\0\0"s + std::string(40, '\0'));
+  scratch.write("00/calib.txt", "P0: 700, 2, 600, 0, 0, 700, 180, 0, 0, 0, 1, 0\n");
+  EXPECT_EQ(read_recording(scratch / "00", "auto", 30).frames.size(), 2u);
+  const auto camera = camera_in_kitti(scratch / "00");
+  ASSERT_TRUE(camera);
+  EXPECT_HAS(camera->unfit, "line 1: P0 without its last column has skew (2)");
+}
+
 TEST(KittiRecording, SaysWhatIsWrong) {
   const Scratch scratch;
   write_kitti(scratch, "00", 0);

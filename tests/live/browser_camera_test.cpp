@@ -100,8 +100,7 @@ TEST(BrowserCamera, SaysWhatIsWrongWithAMessage) {
     EXPECT_HAS(c.page.last("message"), "the first message must be") << text;
   }
   c.say(1, R"({"type":"camera","width":1280,"height":720})");
-  EXPECT_HAS(c.page.last("message"),
-             "gives images of 1280x720 px, and camera.width_px and camera.height_px expect 40x30");
+  EXPECT_HAS(c.page.last("message"), "gives images of 1280x720 px, and 40x30 are expected: hold a phone");
   c.say(1, R"({"type":"camera","width":"40","height":1e99})");
   EXPECT_HAS(c.page.last("message"), "gives images of 0x0");
   c.show(1, image_message(1, "40x30"));

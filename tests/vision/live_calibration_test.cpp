@@ -104,6 +104,26 @@ TEST(LiveCalibration, GuessesTheBoardAndStartsAgain) {
   EXPECT_EQ(one.live.calibration().refusal, "no view yet");
 }
 
+TEST(LiveCalibration, TheFirstViewDeterminesTheSizeAndNotTheFirstImage) {
+  Operator one;
+  one.show(Image(240, 320, 128));
+  one.hold(frontal);
+  EXPECT_EQ(one.used(), 1u);
+}
+
+/// All in the middle: the coverage stays too small.
+TEST(LiveCalibration, TakesMoreViewsIfTheyDoNotDetermineTheCamera) {
+  Operator one;
+  RandomStream random(4, "middle");
+  for (int i = 0; i < 200 && one.used() < LiveCalibration::most_views + 2; ++i)
+    one.hold({{random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), random.uniform(28, 32)},
+              random.uniform(-0.5, 0.5),
+              random.uniform(-0.5, 0.5),
+              random.uniform(-1, 1)});
+  EXPECT_HAS(one.live.calibration().refusal, "the boards cover ");
+  EXPECT_EQ(one.used(), LiveCalibration::most_views + 2);
+}
+
 TEST(LiveCalibration, AfterARestartTakesImagesOfAnotherSize) {
   Operator one;
   one.hold(frontal);

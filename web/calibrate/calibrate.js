@@ -14,6 +14,7 @@ applyTheme();
 const camera = new DeviceCamera();
 /** @type {CalibrationState | null} */
 let state = null;
+let isGone = false;
 
 const advice = element('p', { class: 'advice', role: 'status' }, 'Connecting to the program …');
 const canvas = element('canvas');
@@ -27,8 +28,9 @@ const socket = new CalibrationSocket(
     show();
   },
   () => {
-    if (state?.ended) return;
-    advice.textContent = 'The program has ended, or does not answer: open the address that it printed';
+    isGone = true;
+    show();
+    if (!state?.ended) advice.textContent = 'The program has ended, or does not answer: open the address that it printed';
   },
 );
 const use = button('Use this camera', toggleCamera, { class: 'primary' });
@@ -44,6 +46,11 @@ function toggleCamera() {
 function show() {
   use.textContent = camera.state === 'off' ? 'Use this camera' : 'Stop this camera';
   words.textContent = camera.words;
+  if (isGone) {
+    for (const control of [use, finish, restart]) control.disabled = true;
+    if (camera.state !== 'off') camera.stop();
+    return;
+  }
   if (!state) return;
   const now = adviceOf(state, camera.state === 'sending');
   advice.textContent = now.words;

@@ -174,13 +174,11 @@ CalibrationSettings settings_of(const CalibrateOptions& options,
   return settings;
 }
 
-int refuse_without_board(const CalibrateOptions& options) {
-  const std::string why =
-      "no image shows a chessboard: all of its squares must be in the image, on a white margin, sharp and evenly lit; if the board is "
-      "there, give its inner corners with --board 9x6";
-  if (options.json) fmt::print("{{\n  \"status\": \"refused\",\n  \"reason\": \"{}\"\n}}\n", why);
-  print_message("calibrate: refused: {}\n", why);
-  return 1;
+/// camera.toml, or the first of camera-2.toml, ... that does not exist: the calibration there may be that of another camera.
+std::string new_file() {
+  std::string file = "camera.toml";
+  for (int number = 2; fs::exists(file); ++number) file = fmt::format("camera-{}.toml", number);
+  return file;
 }
 
 int calibrate_from_page(const CalibrateOptions& options) {
@@ -190,7 +188,7 @@ int calibrate_from_page(const CalibrateOptions& options) {
   live.page = options.page;
   if (!options.view.empty()) live.page.port = options.view.back();
   live.settings.board = given_board(options);
-  const auto output = calibration_output(options.out.empty() ? "camera.toml" : options.out, options.format);
+  const auto output = calibration_output(options.out.empty() ? new_file() : options.out, options.format);
   live.settings.fit = settings_of(options, output);
   live.image_size_px = image_size_of(options);
   live.reporting = {"", options.square_m, options.json};
@@ -213,7 +211,7 @@ int calibrate(const CalibrateOptions& options) {
   const auto output = calibration_output(options.out, options.format);
   const std::unique_ptr<ImageSource> images = open(options);
   const auto board = choose_board(options, *images);
-  if (!board) return refuse_without_board(options);
+  if (!board) return refuse_without_board(options.json);
   CalibrationViews views = collect(board->size, *images);
   CameraCalibration calibration = calibrate_camera(views, settings_of(options, output));
   explain_wrong_board(options, views, *images, calibration);
@@ -253,7 +251,7 @@ CLI::App* add_calibrate(CLI::App& app, std::function<int()>& job) {
       "Size of the images in px: of a converted file without it, or to ask of the camera with --view: 640x480");
   command->add_flag(
       "--view{0}", o->view,
-      "Use the camera of a browser: serve a page that takes the views; =PORT, else any free one [writes camera.toml]");
+      "Use the camera of a browser: serve a page that takes the views; =PORT, else any free one [writes camera.toml, or camera-2.toml, ...]");
   add_access_options(*command, o->page);
   command->footer(
       "Examples:\n  incognita calibrate photos/ --square 0.025 --out camera.toml\n  incognita calibrate --view --board 9x6\n  incognita calibrate --phone\n  incognita calibrate --convert camchain.yaml --out "

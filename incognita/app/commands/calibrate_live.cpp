@@ -60,16 +60,56 @@ void tell_view(const LiveCalibration& live) {
                 gaps.empty() ? "" : "; move the board to: " + gaps);
 }
 
+/// An image of another size than was asked for is no view of this camera.
+bool has_size(const Image& image, const CalibrateLiveOptions& options) {
+  return !options.image_size_px || options.image_size_px == std::pair{image.width(), image.height()};
+}
+
+/// Whether the views determine the camera, all of them used.
+bool determine_camera(LiveCalibration& live) {
+  live.finish();
+  if (!live.views()) return false;
+  CameraCalibration calibration = live.calibration();
+  refuse_useless_lens(*live.views(), calibration);
+  return calibration.refusal.empty();
+}
+
+/// Until a viewer finishes a calibration that determines the camera, or the program is interrupted.
 void take_images(LiveCalibration& live, CalibrationPage& page, const CalibrateLiveOptions& options) {
   page.put(state_json(live, options, ""));
-  while (!interrupted() && !page.is_finished()) {
+  while (!interrupted()) {
     const auto reading = page.camera().read(wait_s);
     for (const std::string& event : page.camera().take_events()) print_message("calibrate: {}\n", event);
-    const bool restarts = page.take_restart();
+    const bool restarts = page.take_restart(), finishes = page.take_finish();
     if (restarts) live.restart();
-    if (reading) live.add(reading->t, *reading->image);
-    if (reading && live.views() && live.newest().refusal.empty()) tell_view(live);
-    if (reading || restarts) page.put(state_json(live, options, ""));
+    if (finishes && determine_camera(live)) return;
+    const bool is_image = reading && has_size(*reading->image, options);
+    if (is_image) live.add(reading->t, *reading->image);
+    if (is_image && live.views() && live.newest().refusal.empty()) tell_view(live);
+    if (is_image || restarts || finishes) page.put(state_json(live, options, ""));
+  }
+}
+
+void part_with(CalibrationPage& page, const LiveCalibration& live, const CalibrateLiveOptions& options,
+               const std::string& ended) {
+  page.put(state_json(live, options, ended));
+  std::this_thread::sleep_for(farewell);
+}
+
+/// Reports and writes the calibration.
+int conclude(const LiveCalibration& live, CalibrationPage& page, const CalibrateLiveOptions& options) {
+  CalibrationReporting reporting = options.reporting;
+  reporting.board_source = source_of_board(live);
+  CameraCalibration calibration = live.calibration();
+  try {
+    const int code = conclude_calibration(*live.views(), calibration, reporting, options.output);
+    part_with(page, live, options,
+              code == 0 ? "written: " + options.output.file.string()
+                        : "refused: " + calibration.refusal + "; nothing is written");
+    return code;
+  } catch (const std::exception& error) {
+    part_with(page, live, options, std::string("not written: ") + error.what());
+    throw;
   }
 }
 
@@ -86,17 +126,12 @@ int calibrate_live(const CalibrateLiveOptions& options) {
   open_in_browser(page.address());
   take_images(live, page, options);
   if (!live.views()) {
-    print_message("calibrate: refused: no image showed a board; nothing is written\n");
-    return 1;
+    const int code = refuse_without_board(options.reporting.json);
+    part_with(page, live, options, "refused: no image showed a board; nothing is written");
+    return code;
   }
   live.finish();
-  CameraCalibration calibration = live.calibration();
-  const int code = conclude_calibration(*live.views(), calibration, options.reporting, options.output);
-  page.put(state_json(live, options,
-                      code == 0 ? "written: " + options.output.file.string()
-                                : "refused: " + calibration.refusal + "; nothing is written"));
-  std::this_thread::sleep_for(farewell);
-  return code;
+  return conclude(live, page, options);
 }
 
 }  // namespace incognita

@@ -46,6 +46,7 @@ std::optional<CalibrationOutput> calibration_output(const std::string& out, cons
   if (file.has_parent_path() && !fs::is_directory(file.parent_path()))
     throw InputError(file.parent_path().string() +
                      ": is no folder; create it, or choose another one with --out");
+  if (fs::is_directory(file)) throw InputError(fmt::format("--out {}: is a folder; name a file in it", out));
   const auto chosen = format.empty() ? guess_written_format(file) : written_format(format);
   if (!chosen)
     throw InputError(fmt::format(
@@ -66,23 +67,47 @@ void refuse_useless_lens(const CalibrationViews& views, CameraCalibration& calib
   }
 }
 
+namespace {
+
+void print_answer(const CalibrationAnswer& answer, bool json) {
+  fmt::print("{}", json ? calibration_json(answer) : calibration_report(answer));
+}
+
+}  // namespace
+
 int conclude_calibration(const CalibrationViews& views, CameraCalibration& calibration,
                          const CalibrationReporting& reporting,
                          const std::optional<CalibrationOutput>& output) {
   refuse_useless_lens(views, calibration);
-  const bool refused = !calibration.refusal.empty();
-  const std::string file = output ? output->file.string() : "";
-  const CalibrationAnswer answer{views, calibration, reporting.board_source, reporting.square_m,
-                                 refused ? "" : file};
-  if (!answer.written.empty())
+  CalibrationAnswer answer{views, calibration, reporting.board_source, reporting.square_m, ""};
+  if (!calibration.refusal.empty()) {
+    print_answer(answer, reporting.json);
+    print_message("calibrate: refused: {}{}\n", calibration.refusal, output ? "; nothing is written" : "");
+    return 1;
+  }
+  if (!output) return print_answer(answer, reporting.json), 0;
+  try {
+    refuse_to_replace(output->file, output->format);  // minutes may have passed since the first time
     write_durably(output->file,
                   calibration_text(camera_settings(*calibration.lens, views.width_px(), views.height_px()),
                                    output->format, calibration_comment(answer)));
-  fmt::print("{}", reporting.json ? calibration_json(answer) : calibration_report(answer));
-  if (refused)
-    print_message("calibrate: refused: {}{}\n", calibration.refusal, output ? "; nothing is written" : "");
-  if (!answer.written.empty()) print_message("calibrate: written: {} ({})\n", file, name_of(output->format));
-  return refused ? 1 : 0;
+  } catch (const std::exception&) {
+    print_answer(answer, reporting.json);  // what was measured is not lost
+    throw;
+  }
+  answer.written = output->file.string();
+  print_answer(answer, reporting.json);
+  print_message("calibrate: written: {} ({})\n", answer.written, name_of(output->format));
+  return 0;
+}
+
+int refuse_without_board(bool json) {
+  const std::string why =
+      "no image shows a chessboard: all of its squares must be in the image, on a white margin, sharp and evenly lit; if the board is "
+      "there, give its inner corners with --board 9x6";
+  if (json) fmt::print("{{\n  \"status\": \"refused\",\n  \"reason\": \"{}\"\n}}\n", why);
+  print_message("calibrate: refused: {}\n", why);
+  return 1;
 }
 
 }  // namespace incognita

@@ -28,7 +28,11 @@ struct CalibrationReporting {
 /// Refuses a lens that has no ray for some pixels: its polynomial folds within the image.
 void refuse_useless_lens(const CalibrationViews& views, CameraCalibration& calibration);
 
-/// Reports the calibration, and writes it unless it is refused. Returns the exit code: 1 if it is.
+/// Says that no image shows a board. Returns the exit code, 1.
+int refuse_without_board(bool json);
+
+/// Reports the calibration, and writes it unless it is refused. Returns the exit code: 1 if it is. Throws RecordError, after the report,
+/// if the file cannot be written.
 int conclude_calibration(const CalibrationViews& views, CameraCalibration& calibration,
                          const CalibrationReporting& reporting,
                          const std::optional<CalibrationOutput>& output);

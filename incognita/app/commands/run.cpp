@@ -180,6 +180,12 @@ void connect_page(LivePage& page, RunCallbacks& callbacks) {
   callbacks.saving.on_save = [&page](const SaveReport& report) { page.saved(report, state_file_name); };
 }
 
+/// Of a viewer who asked while the last files were written.
+void refuse_late_save(LivePage& page) {
+  page.control().set_saving({});
+  if (take_save_request()) page.saved({0, 0, "the run has ended"}, state_file_name);
+}
+
 /// One run from its start to its end. `page`: null without one.
 RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, const std::string& out,
                     LivePage* page) {
@@ -219,10 +225,12 @@ RunOutcome run_once(const RunOptions& options, const LoadedScenario& loaded, con
     remove_partial_files(out);  // of a run that was killed while it saved
     if (loaded.scenario.is_live()) write_replay(loaded, out);
     if (page) page->begin(info, frames);
+    take_save_request();  // of an earlier run
     if (page) page->control().set_saving(request_save);
     return sink;
   };
   const RunOutcome outcome = run_scenario(loaded, open, callbacks);
+  if (page) refuse_late_save(*page);
   if (logged && logged->left() > 0)
     print_message("--replay-commands: the run ended before the frames of the last {} commands\n",
                   logged->left());

@@ -14,7 +14,7 @@ namespace incognita {
 
 CalibrationPage::CalibrationPage(ServerSettings settings, int width_px, int height_px) {
   check_page_is_complete();
-  browser_->expect(width_px, height_px);
+  browser_->expect(width_px, height_px, "calibrate at the size of the camera, with --image-size");
   camera_ = std::make_shared<PageCamera>(browser_);
   channel_ = std::make_shared<StateChannel>([this](std::string_view json) { command(json); });
   ServerHandlers handlers;
@@ -33,7 +33,7 @@ void CalibrationPage::command(std::string_view json) {
   const auto message = nlohmann::json::parse(json, nullptr, false);
   const auto type = message.is_object() ? message.value("type", nlohmann::json()) : nlohmann::json();
   if (type == "finish")
-    finished_ = true;
+    finish_ = true;
   else if (type == "restart")
     restart_ = true;
   else

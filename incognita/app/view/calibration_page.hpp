@@ -25,15 +25,15 @@ class CalibrationPage {
   LiveSource& camera() { return *camera_; }
   /// `json`: what the viewers see; web/connection/calibration-socket.js tells its fields.
   void put(std::string json) { channel_->put(std::move(json)); }
-  /// Whether a viewer wants the calibration as it is.
-  bool is_finished() const { return finished_; }
+  /// Whether a viewer wants the calibration as it is; once.
+  bool take_finish() { return finish_.exchange(false); }
   /// Whether a viewer wants to start again; once.
   bool take_restart() { return restart_.exchange(false); }
 
  private:
   void command(std::string_view json);
 
-  std::atomic<bool> finished_ = false, restart_ = false;
+  std::atomic<bool> finish_ = false, restart_ = false;
   std::shared_ptr<BrowserCamera> browser_ = std::make_shared<BrowserCamera>();
   std::shared_ptr<LiveSource> camera_;
   std::shared_ptr<StateChannel> channel_;

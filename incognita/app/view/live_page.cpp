@@ -27,19 +27,26 @@ constexpr std::chrono::seconds observe_every{2};
 constexpr int least_pause = 20;
 
 /// Whether a setting names a file, a device or an address.
-bool names_place(const SettingInForce& setting) {
+bool names_place(const std::string& key) {
   constexpr std::array others{"recording.folder", "recording.truth", "live.source", "robot.address"};
-  return setting.names_file || std::find(others.begin(), others.end(), setting.key) != others.end();
+  return key.ends_with(".file") || key.ends_with(".target") ||
+         std::find(others.begin(), others.end(), key) != others.end();
 }
 
-/// A viewer names no place but those of the program's own scenario, and its own camera.
-void refuse_other_places(const LoadedScenario& asked, const std::map<std::string, std::string>& trusted) {
-  for (const SettingInForce& setting : asked.settings) {
-    if (setting.source != "--set" || !names_place(setting)) continue;
-    const auto known = trusted.find(setting.key);
-    const bool is_own_camera = setting.key == "live.source" && setting.value == "\"browser\"";
-    if (is_own_camera || (known != trusted.end() && known->second == setting.value)) continue;
-    throw InputError(setting.key +
+/// A viewer names no place but those of the program's own scenario, and its own camera. To be called before anything is loaded: what
+/// is wrong with a file says that it exists, and what is in it. `sets`: "key=value".
+void refuse_other_places(const std::vector<std::string>& sets,
+                         const std::map<std::string, std::string>& trusted) {
+  for (const std::string& set : sets) {
+    const std::size_t equals = std::min(set.find('='), set.size());
+    const std::string key = set.substr(0, equals);
+    if (!names_place(key)) continue;
+    const std::string typed = set.substr(std::min(equals + 1, set.size()));
+    const std::string value = typed.starts_with('"') ? typed : toml_string(typed);
+    const auto known = trusted.find(key);
+    const bool is_own_camera = key == "live.source" && value == "\"browser\"";
+    if (is_own_camera || (known != trusted.end() && known->second == value)) continue;
+    throw InputError(key +
                      ": names a file, a device or an address, which only who starts the program may choose");
   }
 }
@@ -160,6 +167,7 @@ std::vector<Intervention> LivePage::due(const Tick&) { return control_.take_inte
 
 void LivePage::refused(const Intervention& intervention, const std::string& why) {
   channel_->refuse(name(intervention), why);
+  if (const auto* drive = std::get_if<DriveBody>(&intervention)) channel_->forget_driver_of(drive->body);
 }
 
 /// A viewer names no files of this machine but the one that the program was started with.
@@ -169,10 +177,11 @@ LoadedScenario LivePage::load_for_viewer(const std::string& scenario,
   if (scenario != scenario_ && std::find(built_in.begin(), built_in.end(), scenario) == built_in.end())
     throw InputError(scenario.substr(0, 100) +
                      ": is no built-in scenario, nor the one that the program was started with");
-  LoadedScenario loaded = load_scenario(scenario, settings);
-  const std::lock_guard lock(trusted_mutex_);
-  refuse_other_places(loaded, trusted_);
-  return loaded;
+  {
+    const std::lock_guard lock(trusted_mutex_);
+    refuse_other_places(settings, trusted_);
+  }
+  return load_scenario(scenario, settings);
 }
 
 /// In the server's thread. A run that could not start is refused here already, as far as its settings say.

@@ -20,9 +20,8 @@ void check_size(const CameraSettings& camera, const std::filesystem::path& file,
 void set_size(CameraSettings& camera, const std::filesystem::path& file,
               std::optional<std::pair<double, double>> in_file, const CalibrationRequest& request) {
   if (!in_file && !request.image_size_px)
-    throw InputError(fmt::format(
-        "{}: has no image size, without which a camera is not complete: give it with --image-size WIDTHxHEIGHT, or add it to the file",
-        shown(file)));
+    throw InputError(fmt::format("{}: has no image size, without which a camera is not complete: {}",
+                                 shown(file), request.size_remedy));
   const std::pair<double, double> size =
       in_file ? *in_file : std::pair<double, double>(*request.image_size_px);
   const auto valid = [](double side) { return side >= 1 && side <= 1e5 && side == std::floor(side); };

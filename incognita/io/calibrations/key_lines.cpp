@@ -24,13 +24,14 @@ struct KeyLine {
   int number = 0;
 };
 
-/// Lines without comments (`#`); a colon or an equals sign after the key is left out.
+/// Lines without comments (`#`); a colon or an equals sign after the key is left out, and commas separate like blanks.
 std::vector<KeyLine> lines_of(const std::string& text) {
   std::vector<KeyLine> found;
   std::istringstream lines(text);
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
+    std::replace(line.begin(), line.end(), ',', ' ');
     std::istringstream words(line.substr(0, line.find('#')));
     KeyLine entry{"", {}, number};
     if (!(words >> entry.key)) continue;
@@ -114,7 +115,10 @@ CalibrationFile read_kitti(const std::string& text, const std::filesystem::path&
   CalibrationFile found{CalibrationFormat::kitti, {file, {}, ""}, {}};
   CameraSettings& camera = found.calibrated.camera;
   const std::string wrong = set_matrix(camera, matrix_of(projection_in(file, *line)));
-  if (!wrong.empty()) refuse(file, *line, "without its last column " + wrong);
+  if (!wrong.empty()) {  // no reason to refuse the images of a recording: the scenario may give the camera
+    found.calibrated.unfit = fmt::format("line {}: {} without its last column {}", line->number, name, wrong);
+    return found;
+  }
   set_lens(camera, false, {});  // rectified images
   std::optional<std::pair<double, double>> size;
   if (name.starts_with("P_rect_"))

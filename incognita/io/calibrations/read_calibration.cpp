@@ -34,8 +34,8 @@ CalibrationFile read_any(const std::filesystem::path& file, const CalibrationReq
   const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
   if (first == std::string::npos) throw InputError(shown(file) + ": is empty");
   if (text[first] == '<') return read_yaml(YamlMap(file, opencv_xml_as_yaml(file, text)), file, request);
-  if (is_plain(text)) return read_plain(text, file, request);
   if (is_kitti(text)) return read_kitti(text, file, request);
+  if (is_plain(text)) return read_plain(text, file, request);
   return read_yaml(YamlMap(file, text), file, request);
 }
 

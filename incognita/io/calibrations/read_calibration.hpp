@@ -29,8 +29,10 @@ const char* name_of(CalibrationFormat format);
 struct CalibrationRequest {
   /// Of a file with several: "cam1", "P2"; empty: the first one. Refused for the formats with one camera.
   std::string camera;
-  std::optional<std::pair<int, int>>
-      image_size_px;  ///< width and height, for files without them; others must agree
+  std::optional<std::pair<int, int>> image_size_px =
+      {};  ///< width and height, for files without them; others must agree
+  std::string size_remedy =
+      "give it with --image-size WIDTHxHEIGHT, or add it to the file";  ///< for a file without them, for messages
 };
 
 struct CalibrationFile {

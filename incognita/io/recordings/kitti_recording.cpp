@@ -42,9 +42,8 @@ std::optional<CalibratedCamera> camera_in(const fs::path& folder, int camera,
   if (!projection_of(folder, camera) || images.empty()) return std::nullopt;
   const auto header = read_image_header(images.front());
   if (!header) return std::nullopt;
-  return read_calibration_file(folder / "calib.txt",
-                               {fmt::format("P{}", camera), {{header->width, header->height}}})
-      .calibrated;
+  const CalibrationRequest request{fmt::format("P{}", camera), std::pair{header->width, header->height}};
+  return read_calibration_file(folder / "calib.txt", request).calibrated;
 }
 
 /// poses.txt in the folder, else where the benchmark has it: sequences/07 and poses/07.txt.

@@ -33,13 +33,14 @@ class SpreadChoice {
   void see(const PassingImage& passing) {
     if (expected_ == 0) expected_ = passing.announced;
     if (passing.number < next()) return;
-    if (kept.size() == most_) {
+    if (kept.size() >= most_) {
       if (passing.number <= span_ + span_ / 16) return;  // what is announced may be wrong by a few images
       thin_out();
-      if (passing.number < next()) return;
+      if (kept.size() >= most_ || passing.number < next()) return;
     }
     kept.push_back({passing.number, decoded(passing)});
-    if (passing.number == 0) begin_with(kept.front().image.image);
+    const Image& image = kept.back().image.image;
+    if (!size_is_known_ && !image.empty()) begin_with(image);
   }
 
  private:
@@ -53,6 +54,7 @@ class SpreadChoice {
   }
 
   void begin_with(const Image& first) {
+    size_is_known_ = true;
     const auto bytes = static_cast<std::size_t>(first.width()) * static_cast<std::size_t>(first.height());
     if (bytes > 0) most_ = std::clamp<std::size_t>(most_bytes / bytes, 1, most_);
     span_ = std::max(expected_, most_);
@@ -67,7 +69,8 @@ class SpreadChoice {
   }
 
   std::size_t most_, expected_;
-  std::size_t span_ = 1;  ///< of so many images `most_` are kept
+  std::size_t span_ = 1;        ///< of so many images `most_` are kept
+  bool size_is_known_ = false;  ///< of the images: the first may be damaged
 };
 
 class KeptImages final : public ImageSource {

@@ -109,7 +109,8 @@ struct Given {
 };
 
 bool is_empty_text(const GivenValue& given) {
-  if (const auto* typed = std::get_if<std::string>(&given.value)) return typed->empty() || *typed == "\"\"";
+  if (const auto* typed = std::get_if<std::string>(&given.value))
+    return typed->empty() || *typed == "\"\"" || *typed == "''";
   const auto* text = std::get_if<std::string>(&std::get<TomlValue>(given.value).value);
   return text && text->empty();
 }
@@ -118,7 +119,12 @@ bool is_empty_text(const GivenValue& given) {
 /// replaces the [camera] of the scenario.
 void let_calibration_replace_camera(Given& given, std::vector<std::string>& notes) {
   const auto file = given.values.find(camera_file);
-  if (file == given.values.end() || is_empty_text(file->second.back())) return;
+  if (file == given.values.end()) return;
+  if (is_empty_text(
+          file->second.back())) {  // as if it were not given: a recording then has its own calibration
+    given.values.erase(file);
+    return;
+  }
   const GivenValue calibration = file->second.back();
   for (auto at = given.values.begin(); at != given.values.end();) {
     const auto& [key, values] = *at;
@@ -155,10 +161,20 @@ void refuse(const std::vector<std::string>& problems) {
   if (!problems.empty()) throw InputError(fmt::format("{}", fmt::join(problems, "\n")));
 }
 
-std::optional<FoundCamera> find_camera(const Scenario& scenario, const std::filesystem::path& file) {
+/// `notes`: what of a calibration file is not used.
+std::optional<FoundCamera> find_camera(const Scenario& scenario, const std::filesystem::path& file,
+                                       std::vector<std::string>& notes) {
   if (scenario.camera.file.empty()) return camera_of_recording(scenario, file);
-  const std::filesystem::path calibration = find_named_file(file, scenario.camera.file);
-  return FoundCamera{read_calibration(calibration), "as " + shown(calibration)};
+  const std::filesystem::path path =
+      find_named_file(file, scenario.camera.file, SearchedPlaces::working_folder_too);
+  const CalibrationFile calibration = read_calibration_file(
+      path,
+      {.camera = "",
+       .size_remedy =
+           "convert it with `incognita calibrate --convert FILE --image-size WIDTHxHEIGHT --out camera.toml`"});
+  check_calibrated(calibration.calibrated);
+  for (const std::string& note : calibration.notes) notes.push_back(shown(path) + ": " + note);
+  return FoundCamera{calibration.calibrated.camera, "as " + shown(path)};
 }
 
 void read(LoadedScenario& loaded, Given given) {
@@ -167,7 +183,7 @@ void read(LoadedScenario& loaded, Given given) {
   let_calibration_replace_camera(given, replaced);
   SettingReader reader(given.values);
   read_settings(reader, loaded.scenario,
-                [&](const Scenario& scenario) { return find_camera(scenario, loaded.file); });
+                [&](const Scenario& scenario) { return find_camera(scenario, loaded.file, replaced); });
   std::vector<std::string>& problems = given.problems;
   for (std::string& problem : explained_problems(given.values, reader))
     problems.push_back(std::move(problem));

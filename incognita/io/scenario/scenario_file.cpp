@@ -11,10 +11,11 @@
 
 namespace incognita {
 
-std::filesystem::path find_named_file(const std::filesystem::path& scenario, const std::string& name) {
+std::filesystem::path find_named_file(const std::filesystem::path& scenario, const std::string& name,
+                                      SearchedPlaces searched) {
   std::vector<std::filesystem::path> places;
   add_place(scenario.parent_path() / name, places);
-  add_place(name, places);
+  if (searched == SearchedPlaces::working_folder_too) add_place(name, places);
   for (const std::filesystem::path& folder : data_folders(scenario)) add_place(folder / name, places);
   add_place(std::filesystem::path(embedded_root) / name, places);
   std::string looked;
@@ -27,7 +28,9 @@ std::filesystem::path find_named_file(const std::filesystem::path& scenario, con
 
 std::filesystem::path find_named_file(const LoadedScenario& loaded, const std::string& key,
                                       const std::string& name) try {
-  return find_named_file(loaded.file, name);
+  return find_named_file(
+      loaded.file, name,
+      key == "camera.file" ? SearchedPlaces::working_folder_too : SearchedPlaces::of_scenario);
 } catch (const InputError& error) {
   throw InputError(
       fmt::format("{}: {} = {}: {}", loaded.source_of(key), key, toml_string(name), error.what()));

@@ -24,7 +24,7 @@ void LiveCalibration::restart() {
   fitted_views_.reset();
   last_.reset();
   shown_.clear();
-  newest_ = {};
+  newest_ = {"show the board", {}};
   calibration_ = {};
   unfitted_ = 0;
   calibration_.refusal = "no view yet";
@@ -37,10 +37,9 @@ void LiveCalibration::add(double t, const Image& image) {
   ++images_;
   newest_ = {};
   if (!taken_) return guess_board(image);
-  if (taken_->used() >= most_views) {
-    newest_.refusal = fmt::format("{} views are enough: finish, or start again", most_views);
-    return;
-  }
+  if (taken_->used() == 0)
+    taken_.emplace(taken_->board());  // the first view determines the size, not the first image
+  if (is_full()) return;
   CalibrationView view = taken_->add(fmt::format("view {}", taken_->used() + 1), image);
   if (view.refusal.empty()) view.refusal = why_moving(t, view.corners);
   newest_ = {view.refusal, view.corners};
@@ -52,6 +51,18 @@ void LiveCalibration::add(double t, const Image& image) {
     take(view);
   else
     taken_->drop_newest();
+}
+
+/// Views that do not determine the camera, all in its middle perhaps, leave place for better ones.
+bool LiveCalibration::is_full() {
+  const bool determined = calibration_.refusal.empty();
+  const std::size_t most = determined ? most_views : 2 * most_views;
+  if (taken_->used() < most) return false;
+  newest_.refusal =
+      determined
+          ? fmt::format("{} views are enough: finish, or start again", most)
+          : fmt::format("{} views do not determine the camera: start again, and move the board more", most);
+  return true;
 }
 
 void LiveCalibration::take(const CalibrationView& view) {

@@ -24,7 +24,7 @@ struct JudgedImage {
 
 class LiveCalibration {
  public:
-  /// As many views determine a camera; each further one makes the fit slower.
+  /// As many views should determine a camera; each further one makes the fit slower. Twice as many are taken if they do not.
   static constexpr std::size_t most_views = 30;
 
   explicit LiveCalibration(const LiveCalibrationSettings& settings);
@@ -48,6 +48,7 @@ class LiveCalibration {
  private:
   void guess_board(const Image& image);
   std::string why_moving(double t, const std::vector<Eigen::Vector2d>& corners) const;
+  bool is_full();
   void take(const CalibrationView& view);
   void fit();
 

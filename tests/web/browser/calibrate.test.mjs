@@ -68,5 +68,5 @@ test('a camera of another size is refused with both sizes', async (t) => {
   const program = await serve(t, ['calibrate', '--view=0', '--https', '--image-size', '1280x720']);
   const page = await openPageWithCamera(t, program.address, video);
   await page.getByRole('button', { name: 'Use this camera' }).click();
-  await page.getByRole('alert').filter({ hasText: /gives images of \d+x\d+ px/ }).waitFor();
+  await page.getByRole('alert').filter({ hasText: /gives images of \d+x\d+ px, and 1280x720 are expected: calibrate at the size of the camera/ }).waitFor();
 });

@@ -87,7 +87,7 @@ test('a camera of another size is refused with both sizes', async (t) => {
   const run = await watchedRun(t, 'hand', ['--https', '--set', 'live.give_up_s=100']);
   const page = await openPageWithCamera(t, run.address, video);
   await page.getByRole('button', { name: 'Use this camera' }).click();
-  await page.locator('.device-camera [role=status]', { hasText: /gives images of \d+x\d+ px, and camera.width_px .* expect 640x480/ }).waitFor();
+  await page.locator('.device-camera [role=status]', { hasText: /gives images of \d+x\d+ px, and 640x480 are expected: hold a phone/ }).waitFor();
 });
 
 test('without encryption, another machine is told to use --https', async (t) => {

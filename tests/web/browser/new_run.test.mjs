@@ -72,3 +72,18 @@ test('the plots of the run before are empty until the first frame of the next', 
     return !document.querySelector('.plot .lines path[d]');
   });
 });
+
+test('a viewer learns nothing of files that it names', async (t) => {
+  const run = await watchedRun(t, 'room', ['--duration', '60']);
+  const answers = new Set();
+  for (const file of ['/etc/passwd', '/nowhere/camera.yaml', '/etc', "'/etc/passwd'"])
+    for (const value of [file, JSON.stringify(file)]) {
+      const url = new URL('api/config', run.address);
+      url.searchParams.set('scenario', 'room');
+      url.searchParams.set('set', `camera.file=${value}`);
+      const answer = await fetch(url);
+      assert.equal(answer.status, 400);
+      answers.add((await answer.json()).error);
+    }
+  assert.deepEqual([...answers], ['camera.file: names a file, a device or an address, which only who starts the program may choose']);
+});

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
 #include "incognita/app/loop/linked_robot.hpp"
@@ -32,8 +34,10 @@ std::unique_ptr<Controller> robot_controller(const LoadedScenario& loaded,
     BodyControl control = body_control_of(loaded, 0, Terrain{});
     control.carried_at = s.mount;
     auto steering = std::make_unique<SteeringController>(std::vector{std::move(control)}, 1 / s.run.rate_hz);
-    return std::make_unique<RobotController>(std::move(steering), link, limits,
-                                             CommandPace{1 / s.run.rate_hz, s.robot.late_s});
+    return std::make_unique<RobotController>(
+        std::move(steering), link, limits, CommandPace{1 / s.run.rate_hz, s.robot.late_s},
+        RecoveryTurnSettings{std::min(s.robot.recovery_turn_rate_rad_s, c.max_turn_rate_rad_s),
+                             s.robot.recovery_after_s});
   });
 }
 

@@ -10,24 +10,37 @@ namespace {
 
 constexpr double most_periods = 3;  // of acceleration at once
 
-/// Whether the robot must stand still, whatever is commanded.
-bool must_stand(const Estimate& estimate, const Goal& goal, const Observation& observation) {
-  if (!image_of(body_of(observation, 0))) return true;
-  const bool by_hand = !goal.bodies.empty() && goal.bodies.front().manual.has_value();
-  return !estimate.started || (is_lost(estimate, 0) && !by_hand);
+bool is_driven_by_hand(const Goal& goal) {
+  return !goal.bodies.empty() && goal.bodies.front().manual.has_value();
 }
 
 }  // namespace
 
 RobotController::RobotController(std::unique_ptr<Controller> controller, std::shared_ptr<RobotLink> link,
                                  const VelocityLimits& limits, const CommandPace& pace,
+                                 const RecoveryTurnSettings& recovery,
                                  std::function<std::chrono::steady_clock::time_point()> now)
     : controller_(std::move(controller)),
       link_(std::move(link)),
       limits_(limits),
       pace_(pace),
+      recovery_(recovery),
       now_(std::move(now)) {
   limits_.check();
+}
+
+std::optional<Eigen::Vector2d> RobotController::wanted(const Command& command, const Estimate& estimate,
+                                                       const Goal& goal, const Observation& observation,
+                                                       double dt_s) {
+  if (link_->is_stopped() || !estimate.started || !image_of(body_of(observation, 0))) return std::nullopt;
+  if (is_lost(estimate, 0) && !is_driven_by_hand(goal)) {
+    const double rate = recovery_.rate(dt_s);
+    if (rate == 0) return std::nullopt;
+    return Eigen::Vector2d(0, rate);
+  }
+  const Eigen::Vector2d velocity = input_of(command_of(command, 0), 2).head<2>();
+  recovery_.drove(velocity.y());
+  return velocity;
 }
 
 Command RobotController::act(const Estimate& estimate, const Goal& goal, const Observation& observation,
@@ -37,8 +50,8 @@ Command RobotController::act(const Estimate& estimate, const Goal& goal, const O
   if (!driven_ || now - *driven_ > std::chrono::duration<double>(pace_.late_s)) last_.setZero();
   const double dt_s = std::min(tick.dt, most_periods * pace_.period_s);
   Eigen::Vector2d velocity(0, 0);
-  if (!link_->is_stopped() && !must_stand(estimate, goal, observation))
-    velocity = limited_velocity(input_of(command_of(command, 0), 2).head<2>(), last_, dt_s, limits_);
+  if (const auto desired = wanted(command, estimate, goal, observation, dt_s))
+    velocity = limited_velocity(*desired, last_, dt_s, limits_);
   link_->drive(velocity);
   last_ = velocity;
   driven_ = now;
@@ -48,6 +61,7 @@ Command RobotController::act(const Estimate& estimate, const Goal& goal, const O
 
 void RobotController::state(StateArchive& archive) {
   controller_->state(archive);
+  recovery_.state(archive);
   if (archive.restores()) last_.setZero();
 }
 

@@ -20,6 +20,8 @@ struct RobotSettings {
   double max_angular_acceleration_rad_s2 = 1;
   double late_s = 0.3;
   double give_up_s = 60;
+  double recovery_turn_rate_rad_s = 0;
+  double recovery_after_s = 2;
 
   static void describe(auto&& setting) {
     using namespace limits;
@@ -45,6 +47,11 @@ struct RobotSettings {
             "Time after which an image is late and the robot is stopped; more than a frame");
     setting(&S::give_up_s, "give_up_s", "s", between(1, 1e6),
             "Time without an image after which the run fails");
+    setting(
+        &S::recovery_turn_rate_rad_s, "recovery_turn_rate_rad_s", "rad/s", between(0, 10),
+        "Turn rate at which a lost robot turns in place, until it recognizes its map, at most controller.max_turn_rate_rad_s; 0: it stands");
+    setting(&S::recovery_after_s, "recovery_after_s", "s", between(0, 1e6),
+            "Time for which a lost robot stands before it turns");
   }
 };
 

@@ -28,6 +28,10 @@ class MjpegServer {
       const std::string page = "<html>" + status + "</html>";
       return answer(status, "text/html\r\nContent-Length: " + std::to_string(page.size())) && send(page);
     }
+    /// Without its length, and always from its begin.
+    bool send_file(const std::string& type, const std::string& bytes) {
+      return answer("200 OK", type) && send(bytes);
+    }
     bool send_image(const std::string& jpeg) {
       return send("--cut\r\nContent-Type: image/jpeg\r\nContent-Length: " + std::to_string(jpeg.size()) +
                   "\r\n\r\n" + jpeg + "\r\n");

@@ -55,6 +55,19 @@ TEST(VideoStream, DropsWhatNobodyTakes) {
   EXPECT_EQ(stream.counts().front(), (std::pair<std::string, std::int64_t>("camera_dropped_images", 11)));
 }
 
+TEST(VideoStream, DoesNotWaitForAJumpInTheTimesOfAFile) {
+  const Scratch scratch;
+  write_clip(scratch / "clip.mkv", 4, 0.1);
+  VideoStream stream({(scratch / "clip.mkv").string()});
+  const auto start = std::chrono::steady_clock::now();
+  const auto took_s = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  while (!stream.has_ended() && took_s() < 9) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_TRUE(stream.has_ended()) << "three pauses of 10 s are none";
+  EXPECT_TRUE(stream.read(0));
+}
+
 TEST(VideoStream, SaysWhatCannotBeOpened) {
   const Scratch scratch;
   scratch.write("text.mp4", "no video");

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "incognita/messages/stream_times.hpp"
@@ -34,9 +35,16 @@ using FfmpegPtr = std::unique_ptr<T, FreeFfmpeg>;
 struct Patience {
   std::shared_ptr<const std::atomic<bool>> stop;
   double until_s = 0;
+  bool is_closing = false;
 
   void renew() { until_s = steady_s() + network_timeout_s; }
-  bool is_over() const { return *stop || steady_s() > until_s; }
+  /// An RTSP server is told that nobody watches any more, or it goes on sending until it notices.
+  void close() {
+    constexpr double farewell_s = 0.2;
+    is_closing = true;
+    until_s = steady_s() + farewell_s;
+  }
+  bool is_over() const { return (*stop && !is_closing) || steady_s() > until_s; }
   static int interrupts(void* self) { return static_cast<const Patience*>(self)->is_over(); }
 };
 
@@ -72,6 +80,25 @@ std::string reason_and_remedy(int error) {
 
 [[noreturn]] void fail_with(int error) { throw std::runtime_error(reason_and_remedy(error)); }
 
+/// Of a video of known length, before the first image of it.
+[[noreturn]] void fail_to_begin() {
+  throw std::runtime_error(
+      "its server sends it from the begin only, and what describes the images comes after them; make an MP4 "
+      "with `-movflags faststart`");
+}
+
+/// `address` without `?udp` at its end, which FFmpeg would send as part of the path.
+std::string take_transport(std::string address, AVDictionary*& options) {
+  constexpr std::string_view udp = "?udp";
+  if (!address.starts_with("rtsp") || !address.ends_with(udp)) {
+    av_dict_set(&options, "rtsp_flags", "prefer_tcp", 0);  // passes every firewall
+    return address;
+  }
+  av_dict_set(&options, "rtsp_transport", "udp", 0);
+  address.resize(address.size() - udp.size());
+  return address;
+}
+
 /// RTSP describes its streams beforehand, and a sequence of JPEG files needs no description. Anything else must be read for that,
 /// which costs up to two seconds.
 bool is_described(const AVFormatContext& format) {
@@ -92,11 +119,14 @@ class NetworkVideo final : public VideoConnection {
         packet_(av_packet_alloc()) {
     if (!frame_ || !gray_ || !packet_) throw std::bad_alloc();
     av_log_set_level(
-        AV_LOG_FATAL);  // the reasons are in the exceptions; damaged images are not worth a line each
+        AV_LOG_PANIC);  // the reasons are in the exceptions; damaged images are not worth a line each
     patience_.renew();
     open_format(address);
     open_decoder();
   }
+  ~NetworkVideo() override { patience_.close(); }
+  NetworkVideo(const NetworkVideo&) = delete;
+  NetworkVideo& operator=(const NetworkVideo&) = delete;
 
   bool grab() override {
     patience_.renew();
@@ -104,6 +134,7 @@ class NetworkVideo final : public VideoConnection {
     while (!is_damaged_) {
       const int received = avcodec_receive_frame(decoder_.get(), frame_.get());
       if (received == 0) return true;
+      if (received == AVERROR_EOF && !is_recorded()) fail_with(AVERROR_EOF);
       if (received == AVERROR_EOF) return false;
       is_damaged_ = received != AVERROR(EAGAIN) || !read_packet();
     }
@@ -118,11 +149,13 @@ class NetworkVideo final : public VideoConnection {
   }
 
   std::optional<Image> image() override {
-    if (is_damaged_ || frame_->flags & AV_FRAME_FLAG_CORRUPT || frame_->decode_error_flags)
-      return std::nullopt;
+    if (shows_damage()) return std::nullopt;
     const int width = frame_->width, height = frame_->height;
     prepare_gray(width, height);
-    sws_scale(to_gray_.get(), frame_->data, frame_->linesize, 0, height, gray_->data, gray_->linesize);
+    if (const int rows = sws_scale(to_gray_.get(), frame_->data, frame_->linesize, 0, height, gray_->data,
+                                   gray_->linesize);
+        rows < 0)
+      fail_with(rows);
     Image image(width, height);
     for (int v = 0; v < height; ++v)
       std::memcpy(image.row(v), gray_->data[0] + static_cast<std::ptrdiff_t>(v) * gray_->linesize[0],
@@ -139,9 +172,8 @@ class NetworkVideo final : public VideoConnection {
     format->interrupt_callback = {Patience::interrupts, &patience_};
     format->max_analyze_duration = most_probing_us;
     AVDictionary* options = nullptr;
-    av_dict_set(&options, "rtsp_flags", "prefer_tcp",
-                0);  // passes every firewall; `?udp` in the address overrides it
-    const int error = avformat_open_input(&format, address.c_str(), nullptr, &options);
+    const std::string url = take_transport(address, options);
+    const int error = avformat_open_input(&format, url.c_str(), nullptr, &options);
     av_dict_free(&options);
     if (error < 0) fail_with(error);  // the context is freed
     format_.reset(format);
@@ -149,7 +181,6 @@ class NetworkVideo final : public VideoConnection {
     if (const int found = avformat_find_stream_info(format, nullptr); found < 0) fail_with(found);
   }
 
-  /// Several threads would each hold an image back.
   void open_decoder() {
     const AVCodec* codec = nullptr;
     const int index = av_find_best_stream(format_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, &codec, 0);
@@ -161,8 +192,8 @@ class NetworkVideo final : public VideoConnection {
     if (!decoder_) throw std::bad_alloc();
     avcodec_parameters_to_context(decoder_.get(), stream_->codecpar);
     decoder_->pkt_timebase = stream_->time_base;
-    decoder_->thread_type = FF_THREAD_SLICE;
-    decoder_->thread_count = 0;  // as many as there are cores
+    // Threads that decode images side by side each hold one back; those for the slices of an image do not look for damage in H.264.
+    decoder_->thread_count = 1;
     if (codec->id == AV_CODEC_ID_MJPEG) decoder_->err_recognition |= AV_EF_EXPLODE;  // no half images
     if (const int error = avcodec_open2(decoder_.get(), codec, nullptr); error < 0) fail_with(error);
   }
@@ -174,13 +205,28 @@ class NetworkVideo final : public VideoConnection {
       fail_with(AVERROR_EXIT);  // even if there is a packet: the one before, which was held back
     if (error == AVERROR(EAGAIN)) return true;
     if (error == AVERROR_EOF && is_recorded()) return avcodec_send_packet(decoder_.get(), nullptr) >= 0;
-    if (error == AVERROR(EIO) || error == AVERROR_INVALIDDATA) fail_with(AVERROR_EOF);
+    if (error == AVERROR(EIO) || error == AVERROR_INVALIDDATA)
+      is_recorded() && !has_begun_ ? fail_to_begin() : fail_with(AVERROR_EOF);
     if (error < 0) fail_with(error);
-    const bool is_image = packet_->stream_index == stream_->index;
-    if (is_image) patience_.renew();
+    const bool is_image = packet_->stream_index == stream_->index &&
+                          packet_->size > 0;  // to the decoder, an empty one would be the end
+    if (is_image) patience_.renew(), has_begun_ = true;
     const int refused = is_image ? avcodec_send_packet(decoder_.get(), packet_.get()) : 0;
     av_packet_unref(packet_.get());
     return refused >= 0;
+  }
+
+  /// Whether what was grabbed is damaged, or was predicted from what was: all up to the next key frame. Cameras that send none
+  /// refresh their images bit by bit.
+  bool shows_damage() {
+    constexpr double refresh_s = 2;
+    const double now_s = steady_s();
+    const bool is_bad = is_damaged_ || frame_->flags & AV_FRAME_FLAG_CORRUPT || frame_->decode_error_flags;
+    if (is_bad)
+      damaged_at_s_ = now_s;
+    else if (frame_->key_frame)
+      damaged_at_s_.reset();
+    return damaged_at_s_ && now_s < *damaged_at_s_ + refresh_s;
   }
 
   void prepare_gray(int width, int height) {
@@ -201,7 +247,9 @@ class NetworkVideo final : public VideoConnection {
   AVStream* stream_ = nullptr;  ///< of format_
   FfmpegPtr<AVCodecContext> decoder_;
   FfmpegPtr<SwsContext> to_gray_;
-  bool is_damaged_ = false;  ///< what was grabbed
+  bool has_begun_ = false;              ///< an image was received
+  bool is_damaged_ = false;             ///< what was grabbed
+  std::optional<double> damaged_at_s_;  ///< steady_s() at the last damage since the last key frame
 };
 
 }  // namespace

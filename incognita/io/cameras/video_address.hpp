@@ -8,7 +8,8 @@ namespace incognita {
 bool is_device(const std::string& source);   ///< "/dev/video0"
 bool is_address(const std::string& source);  ///< "rtsp://...", "http://..."
 
-/// An address for messages: "rtsp://user:secret@host/path" becomes "rtsp://user:***@host/path".
+/// An address for messages: "rtsp://user:secret@host/path" becomes "rtsp://user:***@host/path", and
+/// "rtsp://host/user=me&password=secret" becomes "rtsp://host/user=me&password=***".
 std::string without_password(const std::string& source);
 
 }  // namespace incognita

@@ -82,7 +82,8 @@ class VideoStream::Follower {
   }
 
   void grab_all() {
-    const double start_s = steady_s();
+    constexpr double longest_pause_s = 5;  // more is a jump in the times of the video
+    double start_s = steady_s();
     std::optional<double> first_s;
     times_.start_anew();
     while (!*stop_ && connection_->grab()) {
@@ -94,7 +95,9 @@ class VideoStream::Follower {
       }
       const double reported_s = connection_->reported_s();
       if (!first_s) first_s = reported_s;
-      const double shown_s = start_s + reported_s - *first_s;  // of a video
+      double shown_s = start_s + reported_s - *first_s;  // of a video
+      if (const double pause_s = shown_s - arrived_s; pause_s > longest_pause_s)
+        start_s -= pause_s, shown_s = arrived_s;
       const double t = times_.time_of(reported_s, connection_->is_recorded() ? shown_s : arrived_s);
       if (connection_->is_recorded()) wait_for(shown_s - steady_s());
       put({t, std::make_shared<const Image>(*std::move(image))});

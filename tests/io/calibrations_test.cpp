@@ -203,7 +203,7 @@ TEST(OpencvCalibration, ErrorsNameTheLine) {
              "c.yml:11: camera_matrix must hold numbers only, and has `wide`");
   EXPECT_HAS(
       complaint("c.yml", with(opencv_yaml, "5.3591573396163199e+02, 0.", "5.3591573396163199e+02, 7.")),
-      "c.yml:7: camera_matrix has skew (7)");
+      "c.yml:7: camera_matrix has a skew of 7");
   EXPECT_HAS(complaint("c.yml", with(opencv_yaml, "0., 0., 1. ]", "0., 1. ]")),
              "camera_matrix must have 9 numbers, and has 8");
   EXPECT_HAS(complaint("c.yml", with(opencv_yaml, "image_width: 640", "image_width: wide")),
@@ -235,7 +235,7 @@ TEST(KittiCalibration, OfNoLensIsRefused) {
   EXPECT_HAS(complaint("calib.txt", "P0: 700 0 600 0 0 -700 180 0 0 0 1 0\n", {"", {{1241, 376}}}),
              "calib.txt:1: P0 must have focal lengths of more than 0, and has 700 and -700");
   EXPECT_HAS(complaint("calib.txt", "P0: 700 2 600 0 0 700 180 0 0 0 1 0\n", {"", {{1241, 376}}}),
-             "calib.txt: line 1: P0 without its last column has skew (2), which no camera model supports");
+             "calib.txt: line 1: P0 without its last column has a skew of 2, which no camera model supports");
 }
 
 TEST(KittiCalibration, OfRawDataHasItsSize) {

@@ -186,7 +186,7 @@ TEST(KittiRecording, IsReadWhereNoCameraModelHoldsItsCalibration) {
   EXPECT_EQ(read_recording(scratch / "00", "auto", 30).frames.size(), 2u);
   const auto camera = camera_in_kitti(scratch / "00");
   ASSERT_TRUE(camera);
-  EXPECT_HAS(camera->unfit, "line 1: P0 without its last column has skew (2)");
+  EXPECT_HAS(camera->unfit, "line 1: P0 without its last column has a skew of 2");
 }
 
 TEST(KittiRecording, SaysWhatIsWrong) {

@@ -54,7 +54,7 @@ std::string set_lens(CameraSettings& camera, bool fisheye, const std::vector<dou
 std::string set_matrix(CameraSettings& camera, const std::vector<double>& m) {
   if (m.size() != 9) return fmt::format("must have 9 numbers, and has {}", m.size());
   if (m[3] != 0 || m[6] != 0 || m[7] != 0 || m[8] != 1) return "must be fx 0 cx, 0 fy cy, 0 0 1, row by row";
-  if (std::abs(m[1]) > 1e-9) return fmt::format("has skew ({}), which no camera model holds", m[1]);
+  if (std::abs(m[1]) > 1e-9) return fmt::format("has a skew of {}", m[1]);
   camera.fu_px = m[0], camera.fv_px = m[4], camera.u0_px = m[2], camera.v0_px = m[5];
   return "";
 }

@@ -24,14 +24,13 @@ struct KeyLine {
   int number = 0;
 };
 
-/// Lines without comments (`#`); a colon or an equals sign after the key is left out, and commas separate like blanks.
+/// Lines without comments (`#`); a colon or an equals sign after the key is left out.
 std::vector<KeyLine> lines_of(const std::string& text) {
   std::vector<KeyLine> found;
   std::istringstream lines(text);
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    std::replace(line.begin(), line.end(), ',', ' ');
     std::istringstream words(line.substr(0, line.find('#')));
     KeyLine entry{"", {}, number};
     if (!(words >> entry.key)) continue;
@@ -55,7 +54,9 @@ const KeyLine* line_of(const std::vector<KeyLine>& lines, const std::string& key
 
 std::vector<double> numbers_of(const std::filesystem::path& file, const KeyLine& line, std::size_t count) {
   std::vector<double> numbers;
-  for (const std::string& word : line.words) {
+  for (std::string word : line.words) {
+    if (word.ends_with(',')) word.pop_back();  // between numbers, as some write them
+    if (word.empty()) continue;
     char* end = nullptr;
     const double number = std::strtod(word.c_str(), &end);
     if (*end != '\0' || !std::isfinite(number))

@@ -46,11 +46,11 @@ class MjpegServer {
       return !stop_;
     }
 
-   private:
-    bool answer(const std::string& status, const std::string& type) {
+    /// A request; empty once none comes any more.
+    std::string receive() {
       char request[4096];
-      if (::recv(socket_, request, sizeof request, 0) <= 0) return false;
-      return send("HTTP/1.1 " + status + "\r\nConnection: close\r\nContent-Type: " + type + "\r\n\r\n");
+      const ssize_t size = ::recv(socket_, request, sizeof request, 0);
+      return {request, static_cast<std::size_t>(size > 0 ? size : 0)};
     }
     bool send(const std::string& bytes) {
       for (std::size_t sent = 0; sent < bytes.size();) {
@@ -61,6 +61,11 @@ class MjpegServer {
       return !stop_;
     }
 
+   private:
+    bool answer(const std::string& status, const std::string& type) {
+      if (receive().empty()) return false;
+      return send("HTTP/1.1 " + status + "\r\nConnection: close\r\nContent-Type: " + type + "\r\n\r\n");
+    }
     int socket_;
     const std::atomic<bool>& stop_;
   };

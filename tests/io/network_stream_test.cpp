@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <opencv2/videoio.hpp>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "incognita/io/cameras/network_video.hpp"
@@ -185,6 +187,54 @@ TEST(NetworkStream, SaysThatTheDescriptionOfAFileBelongsToItsFront) {
   MjpegServer server([&](Viewer& viewer) { viewer.send_file("video/mp4", clip); });
   const auto opened = open_network(server.address(), std::make_shared<std::atomic<bool>>(false));
   EXPECT_HAS(message_of<std::runtime_error>([&] { opened->grab(); }), "-movflags faststart");
+}
+
+/// The line of `request` that begins with `name`, without its end; empty if there is none.
+std::string line_of(const std::string& request, const std::string& name) {
+  const std::size_t from = request.find(name);
+  return from == std::string::npos ? "" : request.substr(from, request.find("\r\n", from) - from);
+}
+
+/// Of a camera that agrees to everything.
+std::string rtsp_answer(const std::string& request) {
+  const std::string description =
+      "v=0\r\no=- 0 0 IN IP4 127.0.0.1\r\ns=x\r\nc=IN IP4 0.0.0.0\r\nt=0 0\r\nm=video 0 RTP/AVP 26\r\n";
+  std::string answer = "RTSP/1.0 200 OK\r\nSession: 1\r\n" + line_of(request, "CSeq: ") + "\r\n";
+  if (const std::string transport = line_of(request, "Transport: "); !transport.empty())
+    answer +=
+        transport + (transport.find("UDP") == std::string::npos ? "" : ";server_port=7000-7001") + "\r\n";
+  if (!request.starts_with("DESCRIBE")) return answer + "\r\n";
+  return answer + "Content-Type: application/sdp\r\nContent-Length: " + std::to_string(description.size()) +
+         "\r\n\r\n" + description;
+}
+
+/// All that is asked of a camera which sends nothing.
+std::string rtsp_requests(const std::string& end_of_address) {
+  std::string requests;
+  std::atomic<bool> has_ended = false;
+  MjpegServer server([&](Viewer& viewer) {
+    for (std::string request = viewer.receive(); !request.empty(); request = viewer.receive()) {
+      requests += request;
+      viewer.send(rtsp_answer(request));
+    }
+    has_ended = true;
+  });
+  const auto stop = std::make_shared<std::atomic<bool>>(false);
+  auto video = open_network("rtsp://" + server.host() + "/x" + end_of_address, stop);
+  *stop = true;
+  video.reset();
+  for (const double start_s = steady_s(); !has_ended && steady_s() < start_s + 5;)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return has_ended ? requests : "";
+}
+
+TEST(NetworkStream, TellsAnRtspServerHowToSendAndWhenToEnd) {
+  const std::string tcp = rtsp_requests(""), udp = rtsp_requests("?udp");
+  EXPECT_HAS(tcp, "Transport: RTP/AVP/TCP");
+  EXPECT_HAS(tcp, "TEARDOWN ");
+  EXPECT_HAS(udp, "Transport: RTP/AVP/UDP");
+  EXPECT_HAS(udp, "TEARDOWN ");
+  EXPECT_EQ(udp.find("?udp"), std::string::npos) << "it is no part of the path";
 }
 
 TEST(NetworkStream, IsConnectedAgainAfterItBreaks) {

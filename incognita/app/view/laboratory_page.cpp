@@ -34,7 +34,8 @@ LaboratoryPage::LaboratoryPage(const std::filesystem::path& folder, ServerSettin
   check_page_is_complete();
   ServerHandlers handlers;
   handlers.public_answer = [this, certificate = settings.certificate](const HttpRequest& request) {
-    return request.path == "/" ? redirected(laboratory_.kind_name(), request) : page_file(request.path, certificate);
+    return request.path == "/" ? redirected(laboratory_.kind_name(), request)
+                               : page_file(request.path, certificate);
   };
   handlers.answer = [this](const HttpRequest& request) { return answer(request); };
   handlers.log = [](const std::string& line) { print_message("view: {}\n", line); };

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
 
 #include "incognita/io/calibrations/read_calibration.hpp"
 #include "incognita/models/sensors/pinhole_camera.hpp"
@@ -99,6 +100,31 @@ TEST(ProgramCalibrate, WritesTheOtherFormats) {
     EXPECT_EQ(read.format, format);
     EXPECT_NEAR(read.calibrated.camera.fv_px, 258, 1);
   }
+}
+
+/// The photographs as a video of one image per second, without loss.
+std::filesystem::path film() {
+  const std::filesystem::path file = photographs() / "film.mkv";
+  if (std::filesystem::exists(file)) return file;
+  cv::VideoWriter video(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('F', 'F', 'V', '1'), 1,
+                        cv::Size(true_camera.width, true_camera.height));
+  for (int number = 0; number < 9; ++number)
+    video.write(cv::imread((photographs() / ("photos/view" + std::to_string(number) + ".png")).string()));
+  return file;
+}
+
+TEST(ProgramCalibrate, TakesTheImagesOfAVideo) {
+  ASSERT_TRUE(std::filesystem::exists(film()));
+  const Ended done = calibrate({"film.mkv", "--json"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  const Json answer = Json::parse(done.out);
+  expect_valid(answer);
+  EXPECT_EQ(answer["views"].size(), 9u);
+  EXPECT_EQ(answer["views"][3]["name"], "film.mkv at 3.00 s");
+  EXPECT_NEAR(answer["parameters"]["fu_px"]["value"].get<double>(), 260, 1);
+  const Ended larger = calibrate({"film.mkv", "--board", "10x7"});
+  EXPECT_EQ(larger.code, 1);
+  EXPECT_SAYS(larger.err, "film.mkv at 0.00 s shows a board of 9x6 inner corners: use --board 9x6");
 }
 
 TEST(ProgramCalibrate, RefusesWithTheReason) {

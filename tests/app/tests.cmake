@@ -20,7 +20,7 @@ incognita_program_test(program_recording_test SOURCES app/program_recording_test
                        USES incognita::io incognita::world opencv_core opencv_imgcodecs fmt::fmt)
 # Separate, since they alone render boards and sheets
 incognita_program_test(program_calibrate_test SOURCES app/near_sheet_test.cpp app/program_calibrate_test.cpp app/program_target_test.cpp
-                       USES incognita::calibration incognita::io incognita::targets opencv_core opencv_imgcodecs)
+                       USES incognita::calibration incognita::io incognita::targets opencv_core opencv_imgcodecs opencv_videoio)
 incognita_test(target_start_test SOURCES app/target_start_test.cpp USES incognita::io incognita::slam incognita::world)
 incognita_test(davison_test SOURCES app/davison_test.cpp USES incognita::app opencv_imgproc opencv_core)
 incognita_test(reproduce_test SOURCES app/reproduce_test.cpp

@@ -17,6 +17,9 @@ const ROOM = ['camera.model="wide-angle"', 'camera.width_px=320', 'camera.height
 const DAVISON = [...ROOM.slice(0, 5), 'camera.u0_px=162', 'camera.v0_px=125', 'camera.kd1_per_px2=9e-6', 'start.from="target"',
   'start.target="targets/davison_a5.toml"'];
 
+/** A third of the rate at which the images were taken: a slow machine encodes, draws and tracks some four images per second. */
+const RATE_HZ = 10;
+
 const sets = (settings) => settings.flatMap((setting) => ['--set', setting]);
 
 /** Starts a run of the page's camera, and lets Chromium send the video. */
@@ -39,7 +42,7 @@ async function concluded(t, run, page) {
   const { sent, skipped } = await page.evaluate(() => ({ sent: window.incognita.deviceCamera.sent, skipped: window.incognita.deviceCamera.skipped }));
   const summary = summaryOf(run.folder);
   const seen = await page.evaluate(() => window.incognita.deviceCamera.latenciesMs.length);
-  assert(seen > 20, `the page saw the answers to ${seen} images`);
+  assert(seen > 10, `the page saw the answers to ${seen} images`);
   t.diagnostic(`from image to command, of ${seen}: median ${quantiles[0].toFixed(0)} ms, 99 % within ${quantiles[1].toFixed(0)} ms; ` +
     `${sent} images sent, ${skipped} skipped, ${summary.frames} used, frame ${summary.timing_ms.frame.median.toFixed(1)} ms`);
   assert(quantiles[0] > 0 && quantiles[0] < 2000, `latency ${quantiles[0]} ms`);
@@ -56,13 +59,13 @@ async function assertReplayIsTheSame(run) {
 test('a rendered video reaches the run, which tracks, commands, and repeats', async (t) => {
   const rendered = await finishedRun('room', ['--duration', '12', '--save-recording']);
   const video = join(folder, 'room.y4m');
-  writeVideo(video, imagesOf(join(rendered, 'recording')), 30);
+  writeVideo(video, imagesOf(join(rendered, 'recording')), RATE_HZ);
   const { run, page } = await runWithCamera(t, video, ROOM, 8);
   await page.locator('.instruction-words', { hasText: /^(go |stay)/ }).waitFor();
   await page.locator('.device-camera [role=status]', { hasText: /images sent.*from image to command \d+ ms/ }).waitFor();
   const summary = await concluded(t, run, page);
   assert.equal(summary.status, 'done', summary.reason);
-  assert(summary.frames > 40, `${summary.frames} images`);
+  assert(summary.frames > 20, `${summary.frames} images`);
   assert(summary.lost_frames < 0.2 * summary.frames, `${summary.lost_frames} of ${summary.frames} frames lost`);
   await assertReplayIsTheSame(run);
 });
@@ -73,7 +76,7 @@ const skip = process.env.INCOGNITA_DATA && existsSync(davison) ? false : 'no rec
 test('the sequence of Davison', { skip }, async (t) => {
   const video = join(folder, 'davison.y4m');
   const images = readdirSync(davison).filter((name) => name.endsWith('.pgm')).sort().slice(0, 600);
-  writeVideo(video, images.map((name) => join(davison, name)), 30);
+  writeVideo(video, images.map((name) => join(davison, name)), RATE_HZ);
   const { run, page } = await runWithCamera(t, video, DAVISON, 15);
   const summary = await concluded(t, run, page);
   assert.equal(summary.status, 'done', summary.reason);

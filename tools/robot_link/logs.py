@@ -53,9 +53,10 @@ class RobotLog:
         steps = self.steps.all()
         return bool(steps) and steps[-1]["moves"]
 
-    def moves_by_command_since(self, t):
+    def obeys_command_since(self, t):
+        """Whether a command of after that time is in force; it may be to stand, where the strategy decides so."""
         steps = self.steps.all()
-        return bool(steps) and steps[-1]["moves"] and steps[-1]["command_t"] > t
+        return bool(steps) and steps[-1]["command_t"] > t
 
 
 class RunLog:

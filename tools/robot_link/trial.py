@@ -103,7 +103,7 @@ class Trial:
         exploration.check_navigation()
         tracks = next(frame for frame in exploration.run.frames.since(self.back) if frame["state"] in TRACKING)
         self.result["tracking_s"] = tracks["t"] - self.back
-        wait(limit_s, "motion after the interruption", lambda: self.log.moves_by_command_since(self.back))
+        wait(limit_s, "a command after the interruption", lambda: self.log.obeys_command_since(self.back))
         until = tracks["t"] + self.options.after
         wait(self.options.after + 10, "further images",
              lambda: exploration.navigation.poll() is not None or exploration.run.frames.since(until))

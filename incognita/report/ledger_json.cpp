@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "incognita/messages/errors.hpp"
 #include "incognita/report/ledger.hpp"
@@ -116,8 +117,10 @@ std::string ledger_json(const std::vector<LedgerEntry>& entries) {
 
 std::vector<LedgerEntry> read_ledger(const std::string& document, const std::string& name) {
   try {
+    const LedgerJson json = LedgerJson::parse(document);
+    if (!json.is_array()) throw std::invalid_argument("it is no list of entries");
     std::vector<LedgerEntry> entries;
-    for (const LedgerJson& entry : LedgerJson::parse(document)) entries.push_back(entry_from(entry));
+    for (const LedgerJson& entry : json) entries.push_back(entry_from(entry));
     return entries;
   } catch (const std::exception& error) {
     throw InputError(

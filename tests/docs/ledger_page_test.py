@@ -120,11 +120,13 @@ class Page(unittest.TestCase):
     def test_every_address_in_the_page_exists_in_the_folder(self):
         self.tool(self.out, self.results())
         page = (self.out / "index.html").read_text()
-        for address in re.findall(r'(?:href|src)="([^"#:]+)"', page):
+        for address in re.findall(r'(?:href|src)="([^"#:?]+)"', page):
             self.assertTrue((self.out / address).is_file(), address)
-        for module in self.out.rglob("*.js"):
-            for address in re.findall(r'from "([^"]+)"', module.read_text()):
-                self.assertTrue((module.parent / address).is_file(), f"{module}: {address}")
+        imports = [(module, address) for module in self.out.rglob("*.js")
+                   for address in re.findall(r"^(?:import|export) .*from '([^']+)'|^} from '([^']+)'", module.read_text(), re.M)]
+        self.assertGreater(len(imports), 20)
+        for module, address in imports:
+            self.assertTrue((module.parent / "".join(address)).is_file(), f"{module}: {address}")
 
     def test_refuses_results_that_are_none(self):
         folder = self.results()

@@ -125,7 +125,8 @@ Claim backs_away(const std::string& id, const std::string& place, const std::str
       "The vehicle explores by repeatedly choosing a negative linear acceleration: more than half of its "
       "path is driven backward, starting " +
           start + variant,
-      {.printed = printed,
+      {.rule = Rule::superiority,
+       .printed = printed,
        .measured = {"share backward less a half: {}; {} decisions for slower, {} for faster", text(more),
                     slower, faster},
        .why = why,
@@ -151,7 +152,8 @@ Claim beats(const std::string& id, const std::string& place, const std::string& 
                           diverged_of(theirs), decimals(typically_off_m(ours), 3),
                           decimals(typically_off_m(theirs), 3));
   const Answer in_all = is_below(gap, 0), in_found = is_below(gap_if_found, 0);
-  Claim claim = assessed(id, place, statement, {.measured = measured, .why = why, .seeds = all.size()},
+  Claim claim = assessed(id, place, statement,
+                         {.rule = Rule::superiority, .measured = measured, .why = why, .seeds = all.size()},
                          in_all && in_found);
   if (claim.finding == Finding::undecided && claim.runs >= claim.least_runs && in_all == Answer::shown)
     claim.why = "shown for all rooms; among those in which neither diverged the interval holds both answers";

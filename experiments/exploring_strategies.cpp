@@ -35,7 +35,8 @@ Claim lower_at_the_14th(const Common& common, const std::vector<Runs>& runs) {
       "With the same number of landmarks gaze by (6.8) has the lower entropy: at the 14th "
       "landmark below those of a constant rate and of mutual information" +
           common.variant,
-      {.printed = "-530, -550 and -610 at 19, 18 and 30 s",
+      {.rule = Rule::superiority,
+       .printed = "-530, -550 and -610 at 19, 18 and 30 s",
        .measured = {"medians: {}. (iii) less (i): {} nats, less (ii): {}", medians, text(to_i), text(to_ii)},
        .why = common.why,
        .seeds = std::min(pairs(runs[0]), pairs(runs[1]))},
@@ -49,7 +50,8 @@ Claim fewer_landmarks(const Common& common, const std::vector<Runs>& runs) {
                   "A constant rate and mutual information initialize landmarks faster than (6.8), which "
                   "measures those it has: fewer located after 35 s than with either" +
                       common.variant,
-                  {.printed = "at a faster pace",
+                  {.rule = Rule::superiority,
+                   .printed = "at a faster pace",
                    .measured = {"(iii) less (i): {}, less (ii): {}", text(fewer_i), text(fewer_ii)},
                    .why = "fewer than with a constant rate, but not than with mutual information",
                    .seeds = runs[0].size()},
@@ -126,7 +128,8 @@ Claim moves_across(const Common& common, const Runs& runs, const std::string& wh
                   "The most informative moves are across the line of sight: up, down, left and right more "
                   "often than their two thirds of all moves" +
                       common.variant,
-                  {.printed = "repeated up-down movements, as well as left-right",
+                  {.rule = Rule::superiority,
+                   .printed = "repeated up-down movements, as well as left-right",
                    .measured = {"share of a run's moves less two thirds: {}, {}", text(more), whose},
                    .why = common.why,
                    .seeds = runs.size()},

@@ -61,7 +61,8 @@ Claim closing_loops(const Common& common, const Runs& runs) {
       "Closing loops reduces entropy: with a hand-held camera it falls by more in seconds in which landmarks "
       "are matched that were out of view for 5 s than in others, the map staying the same landmarks" +
           common.variant,
-      {.printed = "an interesting effect in the reduction of entropy",
+      {.rule = Rule::superiority,
+       .printed = "an interesting effect in the reduction of entropy",
        .measured = {"{} nats more a second", text(more)},
        .seeds = all.size()},
       is_above(more, 0));

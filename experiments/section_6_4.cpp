@@ -31,7 +31,8 @@ Claim inside_its_bounds(const Runs& runs) {
       "6.4-bounds", "Figure 6.10",
       "A camera that flies is model enough for one on wheels: 95 % of the errors of its position are inside "
       "their 2 sigma bounds, ground and wheels unknown to the filter",
-      {.printed = "2 sigma variance bounds",
+      {.rule = Rule::coverage,
+       .printed = "2 sigma variance bounds",
        .measured = {"{} inside", text(inside)},
        .why = "the filter is slightly overconfident: what the ground does to the camera is not white noise",
        .seeds = runs.size()},
@@ -46,7 +47,8 @@ Claim one_cycle(const Runs& runs) {
       "6.4-one-cycle", "Section 6.4.2, Table 6.1",
       "Accelerations that act for one cycle of fifteen, as printed, keep the vehicle localized: in nine of "
       "ten rooms or more it ends neither lost nor with an error of 0.5 m",
-      {.printed = "0.5 m/s^2 and 0.3 rad/s^2",
+      {.rule = Rule::frequency,
+       .printed = "0.5 m/s^2 and 0.3 rad/s^2",
        .measured = {"share of the rooms {}. {}", text(found), in_numbers("one cycle", runs)},
        .why = "speeds change by 0.03 m/s a second: it can neither stop nor turn back before all landmarks "
               "are out of view. In the other claims they act until the next decision",

@@ -114,7 +114,7 @@ std::string rules() {
       "- **does not hold**: refuted. The diagnosis that is given was tested, or it says \"not investigated\".\n"
       "- **undecided**: the interval contains both answers, or there are too few runs.\n\n"
       "In Chapter 4 a claim about a system has two findings: what is true of the motion itself, and what the method\n"
-      "of the thesis, which freezes the measurement within a segment, says. All intervals are 95 %: of the claims\n"
+      "of the thesis, which freezes the measurement within a segment, says. Intervals are 95 % unless another level is given: of the claims\n"
       "that rest on random runs, about one in forty is decided wrongly by chance.\n\n"
       "| rule | a claim of this kind is shown when |\n|---|---|\n";
   for (const Rule rule : all_rules()) text += fmt::format("| {} | {} |\n", name(rule), rule_text(rule));

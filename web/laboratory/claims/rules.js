@@ -37,7 +37,7 @@ export const rules = [
 /** The remarks beside findings and rules; also in docs/claims.md. */
 export const remarks =
   'In Chapter 4 a claim about a system has two findings: what is true of the motion itself, and what the method ' +
-  'of the thesis, which freezes the measurement within a segment, says. All intervals are 95 %: of the claims ' +
+  'of the thesis, which freezes the measurement within a segment, says. Intervals are 95 % unless another level is given: of the claims ' +
   'that rest on random runs, about one in forty is decided wrongly by chance.';
 
 /** The text of a rule; '' for one that the page does not know. @param {string} id @returns {string} */

@@ -75,10 +75,6 @@ std::string below(double difference);
 struct Instead {
   Finding found;  ///< when it is shown and the printed statement refuted
   Answer answer;
-  // Until every claim states which of the three it is
-  Instead(Answer corrected) : found(Finding::misprint), answer(corrected) {}
-  Instead(bool corrected) : Instead(Answer(corrected)) {}
-  Instead(Finding when_shown, Answer shown) : found(when_shown), answer(shown) {}
 };
 
 /// The form that is meant, with the slip of the printed one put right.

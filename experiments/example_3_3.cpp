@@ -14,7 +14,7 @@ namespace {
 
 using namespace monobot;
 
-LinearSystem system(double v, double w) {
+LinearSystem anchored_system(double v, double w) {
   return monobot::system({.anchored = true, .sigma_v_m = v, .sigma_w_m = w});
 }
 
@@ -57,7 +57,7 @@ Claim closed_form_gains() {
   double of_example = 0;
   for (const double v : {0.05, 0.1, 0.5, 2.0})
     for (const double w : {0.05, 0.2, 1.0, 2.0}) {
-      const LinearSystem s = system(v, w);
+      const LinearSystem s = anchored_system(v, w);
       const MatrixXd K = gain_of_second_step(s, Matrix2d::Identity()), ours = closed_form_gain(v, w, false);
       worst.take(relative_difference(closed_form_gain(v, w, true), K), relative_difference(ours, K));
       const MatrixXd elsewhere = gain_of_second_step(s, Vector2d(0, 1).asDiagonal().toDenseMatrix());
@@ -72,7 +72,8 @@ Claim closed_form_gains() {
             "16 pairs of noises: {}. From the diag(0, 1) of Example 3.1 the corrected ones differ by up to "
             "{:.2g}",
             closed_form_gain(0.1, 0.2, true)(0, 0),
-            gain_of_second_step(system(0.1, 0.2), Matrix2d::Identity())(0, 0), worst.text(), of_example},
+            gain_of_second_step(anchored_system(0.1, 0.2), Matrix2d::Identity())(0, 0), worst.text(),
+            of_example},
        .number = exactly("largest relative difference of the printed gains", worst.printed),
        .why = "4 s_v^2 s_w^2 in k11"},
       worst.printed <= 1e-12, as_corrected(worst.ours <= 1e-12));
@@ -83,7 +84,7 @@ Claim inside_the_circle() {
   for (int i = 1; i <= 40; ++i)
     for (int j = 1; j <= 40; ++j) {
       const double v = 0.05 * i, w = 0.05 * j;
-      const Vector2d values = eigenvalues(system(v, w), closed_form_gain(v, w, false));
+      const Vector2d values = eigenvalues(anchored_system(v, w), closed_form_gain(v, w, false));
       inside.take(values[0]), inside.take(values[1]);
     }
   return assessed(
@@ -98,7 +99,7 @@ Claim inside_at_every_step() {
   RandomStream random(1, "noises");
   Extremes inside;
   for (int i = 0; i < 200; ++i) {
-    const LinearSystem s = system(random.uniform(0.02, 2), random.uniform(0.02, 2));
+    const LinearSystem s = anchored_system(random.uniform(0.02, 2), random.uniform(0.02, 2));
     MatrixXd P = predicted(s, Vector2d(0, 1).asDiagonal().toDenseMatrix());
     for (int k = 0; k < 1000; ++k) {
       const MatrixXd K = kalman_gain(s, P);
@@ -119,7 +120,7 @@ Claim inside_at_every_step() {
 }
 
 Claim inside_in_the_limit() {
-  const LinearSystem s = system(0.1, 0.2);
+  const LinearSystem s = anchored_system(0.1, 0.2);
   const MatrixXd first = predicted(s, first_covariance({.anchored = true}));
   const std::vector<double> steps{100, 1000, 10'000};
   std::vector<double> landmark_gains;
@@ -197,13 +198,13 @@ Claim smaller_variances() {
 }
 
 /// Over s_v and s_w: the eigenvalues with the gains of (3.14), and after 100 steps of the example.
-Plot eigenvalue_surfaces() {
+Plot anchored_eigenvalue_surfaces() {
   const auto larger_first = [](const Vector2d& values) { return std::vector<double>{values[1], values[0]}; };
   const auto second = [&](double v, double w) {
-    return larger_first(eigenvalues(system(v, w), closed_form_gain(v, w, false)));
+    return larger_first(eigenvalues(anchored_system(v, w), closed_form_gain(v, w, false)));
   };
   const auto later = [&](double v, double w) {
-    const LinearSystem s = system(v, w);
+    const LinearSystem s = anchored_system(v, w);
     const MatrixXd first = predicted(s, Vector2d(0, 1).asDiagonal().toDenseMatrix());
     return larger_first(eigenvalues(s, iterate_riccati(s, first, {.max_iterations = 99}).K));
   };
@@ -214,12 +215,12 @@ Plot eigenvalue_surfaces() {
 }
 
 LedgerEntry run_example_3_3(const ExperimentSettings& settings) {
-  return entry_of(
-      example_3_3, settings,
-      {full_rank(), closed_form_gains(), inside_the_circle(), inside_at_every_step(), inside_in_the_limit(),
-       forgets_the_start(settings.seeds), smaller_variances(),
-       consistent("3.3-consistent", "Figure 3.8 (b), (c)", {.anchored = true}, settings.seeds)},
-      {eigenvalue_surfaces(), four_rows("fig-3.8", "With an anchor at the origin", {.anchored = true})});
+  return entry_of(example_3_3, settings,
+                  {full_rank(), closed_form_gains(), inside_the_circle(), inside_at_every_step(),
+                   inside_in_the_limit(), forgets_the_start(settings.seeds), smaller_variances(),
+                   consistent("3.3-consistent", "Figure 3.8 (b), (c)", {.anchored = true}, settings.seeds)},
+                  {anchored_eigenvalue_surfaces(),
+                   four_rows("fig-3.8", "With an anchor at the origin", {.anchored = true})});
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ Claim fewer_landmarks(const Common& common, const std::vector<Runs>& runs) {
                    .measured = {"(iii) less (i): {}, less (ii): {}", text(fewer_i), text(fewer_ii)},
                    .why = "fewer than with a constant rate, but not than with mutual information",
                    .seeds = runs[0].size()},
-                  is_below(fewer_i, 0) && is_below(fewer_ii, 0), is_below(fewer_i, 0));
+                  is_below(fewer_i, 0) && is_below(fewer_ii, 0), on_condition(is_below(fewer_i, 0)));
 }
 
 /// What `active` is compared with.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/headlines.hpp"
 #include "experiments/quotations.hpp"
 
 namespace incognita {
@@ -64,6 +65,7 @@ std::string below(double difference) {
 
 Claim assessed(Claim claim, Answer printed, Instead instead) {
   claim.source = source_of(claim.id);
+  claim.headline = headline_of(claim.id);
   if (claim.runs < claim.least_runs)
     return undecided(std::move(claim), fmt::format("it rests on {} run{}, and takes at least {}", claim.runs,
                                                    claim.runs == 1 ? "" : "s", claim.least_runs));

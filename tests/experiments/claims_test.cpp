@@ -162,6 +162,13 @@ TEST(PublishedLedger, ThePageIsMadeOfIt) {
       << "docs/claims.md is not the page of docs/ledger/claims.json: see docs/add-an-experiment.md";
 }
 
+TEST(PublishedLedger, HasTenHeadlines) {
+  int headlines = 0;
+  for (const LedgerEntry& entry : published())
+    for (const Claim& claim : entry.claims) headlines += !claim.headline.empty();
+  EXPECT_EQ(headlines, 10);
+}
+
 TEST(Quotations, AreOfClaims) {
   std::set<std::string> ids;
   for (const LedgerEntry& entry : published())

@@ -1,6 +1,6 @@
-// Claims in the running text of Chapter 4 outside its examples: about the method in text_chapter_4_method.cpp,
-// tested on a filter in text_chapter_4_filter.cpp, and here about the systems, at the heads of subsections and
-// in the conclusions (Sections 4.4 and 7.1).
+// Claims in the running text of Chapter 4 outside its examples: about the method in
+// text_chapter_4_method.cpp, tested on a filter in text_chapter_4_filter.cpp, and here about the systems, at
+// the heads of subsections and in the conclusions (Sections 4.4 and 7.1).
 //
 // Experiment: the built-in systems, motions and rules of observability_claims.hpp; also at rest,
 // unaccelerated (see example_4_2.cpp), and with a camera whose accelerations are known.

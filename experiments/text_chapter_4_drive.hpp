@@ -31,9 +31,9 @@ struct Noise {
 
 /// Where Jacobians are taken.
 enum class Linearized {
-  at_estimates,  ///< the EKF
-  at_first_estimates,  ///< of features and of each pose, before its measurements [Huang, Mourikis, Roumeliotis 2008]
-  at_truth  ///< as Example 4.6 has it: errors are not simulated, the covariance is the inverse of the information
+  at_estimates,        ///< the EKF
+  at_first_estimates,  ///< of features, and of each pose before its measurements (Huang et al., ISER 2008)
+  at_truth             ///< as in Example 4.6: no errors, the covariance is the inverse of the information
 };
 
 struct Drive {

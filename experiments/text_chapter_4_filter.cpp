@@ -1,11 +1,11 @@
 // Claims in the text of Chapter 4 about what a filter makes of observability (Section 4.3), and that null
 // spaces tell the motions to make (Abstract, Sections 1.3 and 4.4).
 //
-// Experiment: the EKF of text_chapter_4_drive.hpp, features 20 m from the start, a measurement every 0.1 s, as many
-// runs as seeds. Null spaces: `planar` and the rules of observability_claims.hpp, for motions of the same
-// kinds. First sigmas and noises were chosen with results known, so that linearization does not hide what is to
-// be shown. With the first pose known to 0.5 m and 10 degrees all findings were the same, with 0.05 m and 1
-// degree all but that of text-4-converges: more than half of so small an error of position is left.
+// Experiment: the EKF of text_chapter_4_drive.hpp, features 20 m from the start, a measurement every 0.1 s,
+// as many runs as seeds. Null spaces: `planar` and the rules of observability_claims.hpp, for motions of the
+// same kinds. First sigmas and noises were chosen with results known, so that linearization does not hide what
+// is to be shown. With the first pose known to 0.5 m and 10 degrees all findings were the same, with 0.05 m
+// and 1 degree all but that of text-4-converges: more than half of so small an error of position is left.
 #include <Eigen/Eigenvalues>
 
 #include "experiments/common.hpp"

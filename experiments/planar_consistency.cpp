@@ -99,10 +99,12 @@ StandingVehicle standing_vehicle(const StandingSettings& settings, RandomStream&
   return {degrees(std::sqrt(variance)), std::pow(wrap_angle(at.state[2]), 2) / variance};
 }
 
-StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization) {
+StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization, int measurements) {
   RandomStream random(seed, "standing vehicle");
   const double heading = -radians(standing_sigma_heading_deg) * random.normal();
-  return standing_vehicle({.linearization = linearization, .first_estimate = {0, 0, heading}}, random);
+  return standing_vehicle(
+      {.linearization = linearization, .first_estimate = {0, 0, heading}, .measurements = measurements},
+      random);
 }
 
 PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint64_t seed,

@@ -59,6 +59,7 @@ struct StandingVehicle {
 };
 StandingVehicle standing_vehicle(const StandingSettings& settings, RandomStream& random);
 /// At a known position, with a first heading drawn.
-StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization);
+StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization,
+                                 int measurements = standing_measurements);
 
 }  // namespace incognita

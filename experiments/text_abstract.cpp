@@ -15,7 +15,9 @@ namespace {
 using namespace monobot;
 
 Claim linear_case_shows_effects(int seeds) {
-  const auto of_landmark = [](const std::vector<monobot::Run>& runs, int step) { return errors(runs, 1, step); };
+  const auto of_landmark = [](const std::vector<monobot::Run>& runs, int step) {
+    return errors(runs, 1, step);
+  };
   const auto free = simulate_all({.steps = 1000}, seeds),
              anchored = simulate_all({.anchored = true, .steps = 1000}, seeds);
   const Interval early = rms_of(of_landmark(free, 100)), late = rms_of(of_landmark(free, 1000));
@@ -40,8 +42,8 @@ Claim linear_case_is_inconsistent(int seeds) {
   Interval of_one;
   const Cases consistent = by_number({1, 2}, [&](int n) -> CaseResult {
     const Setup setup{.landmarks = n};
-    const Interval nees =
-        mean_of(each(simulate_all(setup, count), [&](const monobot::Run& run) { return run.nees[setup.steps]; }));
+    const Interval nees = mean_of(
+        each(simulate_all(setup, count), [&](const monobot::Run& run) { return run.nees[setup.steps]; }));
     if (n == 1) of_one = nees;
     return {text(nees), agrees(nees, 1, 0.1)};
   });

@@ -74,8 +74,9 @@ Claim four_kinds() {
                      at_10000 = filtered(s, at_5000, 5000);
       const double least_100 = smallest_eigenvalue(at_100), least_10000 = smallest_eigenvalue(at_10000);
       const double growth = growth_between(at_5000.trace(), at_10000.trace());
-      cases.add({{"{}observable, {}controllable: {:.0f} %, {:.2g} to {:.2g} m^2", anchored ? "" : "not ",
-                  noisy ? "" : "not ", 100 * growth, least_100, least_10000},
+      cases.add({{"{} {}, {:.2g} to {:.2g} m^2",
+                  anchored ? (noisy ? "both" : "observable") : (noisy ? "controllable" : "neither"),
+                  growth < bounded_growth ? "below 5 %" : "above 5 %", least_100, least_10000},
                  (!anchored || is_bounded(growth)) && (!noisy || !vanishes(least_100, least_10000))});
     }
   return assessed(

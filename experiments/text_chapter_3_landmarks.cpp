@@ -18,7 +18,8 @@ Claim constant_error(int seeds) {
   for (const auto& run : runs)
     moved = std::max(moved, std::abs(run.estimate(1, 1000) - run.estimate(1, 100)));
   const auto last = errors(runs, 1, 1000);
-  const auto over_time = each(runs, [](const monobot::Run& run) { return run.error().row(1).tail(900).mean(); });
+  const auto over_time =
+      each(runs, [](const monobot::Run& run) { return run.error().row(1).tail(900).mean(); });
   return assessed(
       "text-3.5-constant-error", "Sections 3.1 and 3.5",
       "The estimation error converges to a constant of non-zero mean: over 900 more steps no "

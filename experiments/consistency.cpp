@@ -84,7 +84,7 @@ Claim iterated(const Result& iterated, const Result& ekf) {
 }
 
 Claim relative_map(const Result& relative, const Result& ekf) {
-  const Finding lower = is_above(relative.less_than(ekf), 0);
+  const Answer lower = is_above(relative.less_than(ekf), 0);
   return assessed("consistency-relative", "Section 3.2, third way; Section 3.5",
                   "A map expressed in the vehicle's frame remedies the partial observability: mean NEES "
                   "below the EKF's, within 0.2 of 1",

@@ -5,7 +5,7 @@
 // Measured: eigenvalues and covariances against closed forms, in which there is no chance; errors over seeds
 // 1, 2, ... against the covariance of the filter.
 // Holds: a closed form to 1e-9 relative, an identity to 1e-12; a mean, rms or slope with the prediction
-// inside its 99.9 % interval; a comparison of errors with its 95 % interval of paired differences on one side
+// inside its interval; a comparison of errors with its 95 % interval of paired differences on one side
 // of 0.
 #include "experiments/common.hpp"
 #include "experiments/linear_filter.hpp"
@@ -190,8 +190,8 @@ Claim finite_steady_error(int seeds) {
   const Interval after_100 = rms_of(errors(runs, 1, 100)), after_1000 = rms_of(errors(runs, 1, 1000));
   const MatrixXd P = settled_prior(setup);
   const double landmark = std::sqrt(P(1, 1)), robot = std::sqrt(P(0, 0) - setup.sigma_v_m * setup.sigma_v_m);
-  const Finding as_predicted = agrees(after_1000, landmark, 0.2 * landmark) &&
-                               agrees(rms_of(errors(runs, 0, 1000)), robot, 0.2 * robot);
+  const Answer as_predicted = agrees(after_1000, landmark, 0.2 * landmark) &&
+                              agrees(rms_of(errors(runs, 0, 1000)), robot, 0.2 * robot);
   return assessed("3.1-finite-error", "below (3.11), Figure 3.4 (b), (c)",
                   "The errors of robot and landmark neither grow nor vanish: rms over runs after 1000 steps "
                   "as predicted by the limit covariance, to a fifth",
@@ -214,7 +214,7 @@ Claim depends_on_the_start(int seeds) {
   // the robot's first error is 1 m rms, and the landmark is initialized from its first measurement
   const auto runs = simulate_all({.robot_var_m2 = 1, .landmark_var_m2 = {}}, seeds);
   const auto first = errors(runs, 0, 0), last = errors(runs, 1, 100);
-  const Finding slope_one = agrees(slope_of(first, last), 1, 0.05);
+  const Answer slope_one = agrees(slope_of(first, last), 1, 0.05);
   return assessed(
       "3.1-initial-conditions", "below (3.11), Example 3.1",
       "The steady-state error depends on the initial conditions: all first estimates wrong by 1 m stay wrong "

@@ -4,7 +4,7 @@
 // Experiment: monobot.hpp, with 1 and 2 landmarks and the anchor, 100 steps; up to 10000 where limits are
 // asked for. Measured: the printed gains against the filter's own, eigenvalues of F - KHF (no chance in
 // them), and errors over seeds 1, 2, ... Holds: an equation to 1e-12 relative; an eigenvalue inside (0, 1); a
-// mean whose 99.9 % interval has 0 in it; what is forgotten when less than 2 % of it is left after 1000
+// mean whose interval has 0 in it; what is forgotten when less than 2 % of it is left after 1000
 // steps.
 #include "experiments/common.hpp"
 #include "experiments/linear_filter.hpp"

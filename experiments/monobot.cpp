@@ -358,7 +358,7 @@ Claim inflated(const std::string& id, const Setup& setup, int seeds) {
   const double margin = smallest_eigenvalue(said - actual), loss = smallest_eigenvalue(actual - best);
   const auto last = errors(simulate_all(setup, seeds), 1, setup.steps);
   const double actual_sigma = std::sqrt(actual(1, 1));
-  const Finding as_computed = agrees(rms_of(last), actual_sigma, 0.2 * actual_sigma);
+  const Answer as_computed = agrees(rms_of(last), actual_sigma, 0.2 * actual_sigma);
   return assessed(
       id, "Section 3.3",
       "The filter is suboptimal, and its covariances are inflated: they exceed the actual error covariance "

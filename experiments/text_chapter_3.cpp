@@ -5,7 +5,7 @@
 // Experiment: the monobot of monobot.hpp, also with 2 to 5 landmarks, with and without the anchor, with and
 // without noise on the landmarks (0.05 m a step); up to 10000 steps where limits are asked for. Holds:
 // identities to 1e-12, limits to 1e-9 relative unless said; `goes to zero` when 100 times the steps leave
-// less than a tenth; ranks by singular values; means over runs by their 99.9 % intervals.
+// less than a tenth; ranks by singular values; means over runs by their intervals.
 #include "experiments/common.hpp"
 #include "experiments/linear_filter.hpp"
 #include "experiments/text_claims.hpp"

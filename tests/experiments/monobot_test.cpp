@@ -129,9 +129,9 @@ void expect_verdicts(const Experiment& experiment, const Verdicts& expected) {
   EXPECT_EQ(entry.id, experiment.id);
   Verdicts found;
   for (const Claim& claim : entry.claims) {
-    EXPECT_TRUE(found.emplace(claim.id, name(claim.verdict)).second) << claim.id << " occurs twice";
+    EXPECT_TRUE(found.emplace(claim.id, name(claim.finding)).second) << claim.id << " occurs twice";
     EXPECT_FALSE(claim.place.empty() || claim.statement.empty() || claim.measured.empty()) << claim.id;
-    EXPECT_EQ(claim.why.empty(), claim.verdict == Verdict::holds) << claim.id;
+    EXPECT_EQ(claim.why.empty(), claim.finding == Finding::holds) << claim.id;
     const auto wanted = expected.find(claim.id);
     ASSERT_NE(wanted, expected.end()) << claim.id;
     EXPECT_EQ(found[claim.id], wanted->second) << claim.id << ": " << claim.measured;

@@ -44,7 +44,7 @@ double median(const std::vector<Summary>& runs, double Summary::*what);
 /// Never farther than that from the path once settled.
 constexpr double near_path_m = 0.3;
 double share_near_path(const std::vector<Summary>& runs);
-Finding follows(const std::vector<Summary>& runs);
+Answer follows(const std::vector<Summary>& runs);
 
 /// Fewer runs, of what is compared with the example as it stands.
 int fewer(const ExperimentSettings& settings);

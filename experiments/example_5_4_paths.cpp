@@ -52,9 +52,9 @@ Runs first(const Runs& all, int count) {
 
 Interval exponential(const Interval& i) { return {std::exp(i.value), std::exp(i.low), std::exp(i.high)}; }
 
-/// Factor by which b's is larger than a's in the same rooms: 99.9 % interval about the geometric mean.
+/// Factor by which b's is larger than a's in the same rooms: interval about the geometric mean.
 Interval factor(const Runs& a, const Runs& b, double Summary::*what) {
-  return exponential(bootstrap_mean(log_ratios(each(b, what), each(a, what)), assessed_at));
+  return exponential(bootstrap_mean(log_ratios(each(b, what), each(a, what))));
 }
 
 std::string numbers(const Runs& runs) {
@@ -70,7 +70,7 @@ Claim short_loops(const Compared& c) {
       "5.4-short-loops", "Section 5.2.2, Figure 5.14",
       "Closing short loops is crucial to reduce the uncertainty: around the same circle in the same time at "
       "a varying speed, but never backward, the largest sigma is larger and the error of the estimate twice "
-      "as large or more (99.9 % intervals of the factors above 1 and above 2)",
+      "as large or more (intervals of the factors above 1 and above 2)",
       {.printed = "crucial",
        .measured = {"back and forth {}; never backward {}; factors {} of the error and {} of sigma",
                     numbers(c.example), numbers(c.surges), text(error), text(sigma)},
@@ -84,7 +84,7 @@ Claim varied_motion(const Compared& c) {
   return assessed("5.4-varied", "head of Section 5.2.2, after [118]",
                   "Motion that is not constant lets such systems estimate well: around the same circle in "
                   "the same time a camera at constant speed has a larger error than one at varying speed "
-                  "(99.9 % interval of the factor above 1)",
+                  "(interval of the factor above 1)",
                   {.printed = "good estimator behaviour",
                    .measured = {"constant speed {}; varying speed {}: factor {}; against back and forth {}",
                                 numbers(c.steady), numbers(c.surges), text(alone), text(returning)},
@@ -99,7 +99,7 @@ Claim most_stable(const Compared& c) {
   };
   return assessed(
       "5.4-most-stable", "below (5.27)",
-      "Of the paths tried the estimate is the nearest to the truth along (5.28) (99.9 % intervals)",
+      "Of the paths tried the estimate is the nearest to the truth along (5.28)",
       {.printed = "one of the most stable paths we found",
        .measured = {"back and forth {}; never backward {}; constant speed {}; back and forth, facing outward "
                     "{}; swinging in place {}",
@@ -141,12 +141,12 @@ Claim sideways(int seeds) {
     return over_seeds(seeds, [&](std::uint64_t seed) { return run(s, seed); });
   };
   const auto across = swinging(Vector3d::UnitY()), ahead = swinging(Vector3d::UnitX());
-  const Interval near = bootstrap_mean(larger_by(across, ahead, radians(20)), assessed_at),
-                 all = bootstrap_mean(larger_by(across, ahead, pi), assessed_at);
+  const Interval near = bootstrap_mean(larger_by(across, ahead, radians(20))),
+                 all = bootstrap_mean(larger_by(across, ahead, pi));
   return assessed(
       "5.4-sideways", "head of Section 5.2.2",
       "Motion across the camera's axis reduces the uncertainty more than motion along it: after 10 s of "
-      "swinging by 0.4 m sigmas of the same points are larger along than across (99.9 % intervals)",
+      "swinging by 0.4 m sigmas of the same points are larger along than across",
       {.printed = "larger reductions",
        .measured = {"along against across: all points {}, those within 20 degrees of the axis {}",
                     text(exponential(all), "times"), text(exponential(near), "times")},

@@ -105,7 +105,7 @@ double share_near_path(const std::vector<Summary>& runs) {
   return static_cast<double>(near_path(runs)) / static_cast<double>(runs.size());
 }
 
-Finding follows(const std::vector<Summary>& runs) { return happens_in(0.95, near_path(runs), runs.size()); }
+Answer follows(const std::vector<Summary>& runs) { return happens_in(0.95, near_path(runs), runs.size()); }
 
 int fewer(const ExperimentSettings& settings) { return std::max(5, settings.seeds / 5); }
 

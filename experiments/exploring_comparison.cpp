@@ -113,7 +113,7 @@ Claim backs_away(const std::string& id, const std::string& place, const std::str
                  const std::string& variant) {
   const std::vector<double> beyond_half =
       less(each(runs, share_backwards), std::vector<double>(runs.size(), 0.5));
-  const Interval more = bootstrap_mean(beyond_half, assessed_at);
+  const Interval more = bootstrap_mean(beyond_half);
   int slower = 0, faster = 0;
   for (const Run& run : runs)
     for (const Decision& d : run.decisions) {
@@ -126,8 +126,8 @@ Claim backs_away(const std::string& id, const std::string& place, const std::str
       "path is driven backward, starting " +
           start + variant,
       {.printed = printed,
-       .measured = {"share backward less a half: {} (99.9 %); {} decisions for slower, {} for faster",
-                    text(more), slower, faster},
+       .measured = {"share backward less a half: {}; {} decisions for slower, {} for faster", text(more),
+                    slower, faster},
        .why = why,
        .seeds = beyond_half.size()},
       is_above(more, 0));
@@ -142,18 +142,18 @@ Claim beats(const std::string& id, const std::string& place, const std::string& 
                  gap_if_found = more_than(theirs, ours, entropy_if_not_diverged);
   const auto better = std::ranges::count_if(all, [](double d) { return d < 0; });
   const std::size_t left_out = ours.size() - all.size();
-  std::string measured = fmt::format(
-      "entropy less that of {}: {} nats (99.9 %), lower in {} of {} rooms{}", what, text(gap), better,
-      all.size(), left_out > 0 ? fmt::format(", {} with nothing to compare", left_out) : "");
+  std::string measured =
+      fmt::format("entropy less that of {}: {} nats, lower in {} of {} rooms{}", what, text(gap), better,
+                  all.size(), left_out > 0 ? fmt::format(", {} with nothing to compare", left_out) : "");
   if (found < all.size())
     measured += fmt::format("; in the {} in which neither diverged {} nats", found, text(gap_if_found));
   measured += fmt::format("; diverged {} and {}, position error {} and {} m (median)", diverged_of(ours),
                           diverged_of(theirs), decimals(typically_off_m(ours), 3),
                           decimals(typically_off_m(theirs), 3));
-  const Finding in_all = is_below(gap, 0), in_found = is_below(gap_if_found, 0);
+  const Answer in_all = is_below(gap, 0), in_found = is_below(gap_if_found, 0);
   Claim claim = assessed(id, place, statement, {.measured = measured, .why = why, .seeds = all.size()},
                          in_all && in_found);
-  if (claim.verdict == Verdict::undecided && claim.runs >= claim.least_runs && in_all == Finding::shown)
+  if (claim.finding == Finding::undecided && claim.runs >= claim.least_runs && in_all == Answer::shown)
     claim.why = "shown for all rooms; among those in which neither diverged the interval holds both answers";
   return claim;
 }

@@ -37,11 +37,11 @@ Runs runs_of(const std::string& scenario, const Strategy& strategy, const Experi
 std::vector<Runs> runs_of_all(const std::string& scenario, const std::vector<Strategy>& strategies,
                               const ExperimentSettings& settings, std::uint64_t first = 1);
 
-/// What of(run) of `ours` is more than that of `theirs`, by seed, where both are numbers: mean with its 99.9 %
+/// What of(run) of `ours` is more than that of `theirs`, by seed, where both are numbers: mean with its
 /// interval.
 template <class Of>
 Interval more_than(const Runs& theirs, const Runs& ours, const Of& of) {
-  return bootstrap_mean(less(each(ours, of), each(theirs, of)), assessed_at);
+  return bootstrap_mean(less(each(ours, of), each(theirs, of)));
 }
 
 /// Settings with half the seeds.

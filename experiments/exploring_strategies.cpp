@@ -30,16 +30,16 @@ Claim lower_at_the_14th(const Common& common, const std::vector<Runs>& runs) {
   const auto pairs = [&](const Runs& other) {
     return less(each(runs[2], at_the_14th), each(other, at_the_14th)).size();
   };
-  return assessed(common.id + "-14th-entropy", common.place + ", Figure 6.4",
-                  "With the same number of landmarks gaze by (6.8) has the lower entropy: at the 14th "
-                  "landmark below those of a constant rate and of mutual information" +
-                      common.variant,
-                  {.printed = "-530, -550 and -610 at 19, 18 and 30 s",
-                   .measured = {"medians: {}. (iii) less (i): {} nats, less (ii): {} (99.9 %)", medians,
-                                text(to_i), text(to_ii)},
-                   .why = common.why,
-                   .seeds = std::min(pairs(runs[0]), pairs(runs[1]))},
-                  is_below(to_i, 0) && is_below(to_ii, 0));
+  return assessed(
+      common.id + "-14th-entropy", common.place + ", Figure 6.4",
+      "With the same number of landmarks gaze by (6.8) has the lower entropy: at the 14th "
+      "landmark below those of a constant rate and of mutual information" +
+          common.variant,
+      {.printed = "-530, -550 and -610 at 19, 18 and 30 s",
+       .measured = {"medians: {}. (iii) less (i): {} nats, less (ii): {}", medians, text(to_i), text(to_ii)},
+       .why = common.why,
+       .seeds = std::min(pairs(runs[0]), pairs(runs[1]))},
+      is_below(to_i, 0) && is_below(to_ii, 0));
 }
 
 Claim fewer_landmarks(const Common& common, const std::vector<Runs>& runs) {
@@ -50,7 +50,7 @@ Claim fewer_landmarks(const Common& common, const std::vector<Runs>& runs) {
                   "measures those it has: fewer located after 35 s than with either" +
                       common.variant,
                   {.printed = "at a faster pace",
-                   .measured = {"(iii) less (i): {}, less (ii): {} (99.9 %)", text(fewer_i), text(fewer_ii)},
+                   .measured = {"(iii) less (i): {}, less (ii): {}", text(fewer_i), text(fewer_ii)},
                    .why = "fewer than with a constant rate, but not than with mutual information",
                    .seeds = runs[0].size()},
                   is_below(fewer_i, 0) && is_below(fewer_ii, 0), is_below(fewer_i, 0));
@@ -121,13 +121,13 @@ std::vector<Claim> gaze_claims(const Common& common, const std::vector<Runs>& ru
 
 Claim moves_across(const Common& common, const Runs& runs, const std::string& whose) {
   const Interval more =
-      bootstrap_mean(less(each(runs, share_across), std::vector<double>(runs.size(), 2.0 / 3)), assessed_at);
+      bootstrap_mean(less(each(runs, share_across), std::vector<double>(runs.size(), 2.0 / 3)));
   return assessed(common.id + "-across", common.place,
                   "The most informative moves are across the line of sight: up, down, left and right more "
                   "often than their two thirds of all moves" +
                       common.variant,
                   {.printed = "repeated up-down movements, as well as left-right",
-                   .measured = {"share of a run's moves less two thirds: {} (99.9 %), {}", text(more), whose},
+                   .measured = {"share of a run's moves less two thirds: {}, {}", text(more), whose},
                    .why = common.why,
                    .seeds = runs.size()},
                   is_above(more, 0));

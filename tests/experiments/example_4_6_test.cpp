@@ -217,22 +217,22 @@ TEST(Example46Test, Verdicts) {
   ExperimentSettings settings;
   settings.out = scratch.folder();
   const LedgerEntry entry = example_4_6.run(settings);
-  const std::map<std::string, Verdict> expected{{"4.6-rank", Verdict::holds_as_corrected},
-                                                {"4.6-stationary", Verdict::holds},
-                                                {"4.6-deficiency", Verdict::holds_as_corrected},
-                                                {"4.6-orientation", Verdict::does_not_hold},
-                                                {"4.6-global-modes", Verdict::holds},
-                                                {"4.6-relative-at-rest", Verdict::holds},
-                                                {"4.6-relative-2", Verdict::holds_as_corrected},
-                                                {"4.6-line-of-sight", Verdict::holds},
-                                                {"4.6-relative-1", Verdict::holds_as_corrected},
-                                                {"4.6-relative-features", Verdict::holds_as_corrected},
-                                                {"4.6-link", Verdict::holds_as_corrected},
-                                                {"4.6-truth", Verdict::does_not_hold}};
+  const std::map<std::string, Finding> expected{{"4.6-rank", Finding::misprint},
+                                                {"4.6-stationary", Finding::holds},
+                                                {"4.6-deficiency", Finding::misprint},
+                                                {"4.6-orientation", Finding::does_not_hold},
+                                                {"4.6-global-modes", Finding::holds},
+                                                {"4.6-relative-at-rest", Finding::holds},
+                                                {"4.6-relative-2", Finding::misprint},
+                                                {"4.6-line-of-sight", Finding::holds},
+                                                {"4.6-relative-1", Finding::misprint},
+                                                {"4.6-relative-features", Finding::misprint},
+                                                {"4.6-link", Finding::misprint},
+                                                {"4.6-truth", Finding::does_not_hold}};
   ASSERT_EQ(entry.claims.size(), expected.size());
   for (const Claim& claim : entry.claims) {
     ASSERT_TRUE(expected.count(claim.id)) << claim.id;
-    EXPECT_EQ(claim.verdict, expected.at(claim.id)) << claim.id << ": " << claim.measured;
+    EXPECT_EQ(claim.finding, expected.at(claim.id)) << claim.id << ": " << claim.measured;
   }
   ASSERT_EQ(entry.figures.size(), 4U);
   for (const LedgerFigure& figure : entry.figures)

@@ -101,15 +101,15 @@ TEST(Summary, HasTheValuesOfTheCourse) {
   EXPECT_EQ(s.nis, 1);
   EXPECT_EQ(s.mapped, 1);
   EXPECT_EQ(s.error_m.size(), 10u);
-  EXPECT_EQ(follows({s}), Finding::refuted);
+  EXPECT_EQ(follows({s}), Answer::refuted);
 }
 
 using Verdicts = std::map<std::string, std::string>;
 Verdicts verdicts(const std::vector<Claim>& claims) {
   Verdicts found;
   for (const Claim& claim : claims) {
-    EXPECT_TRUE(found.emplace(claim.id, name(claim.verdict)).second) << claim.id << " occurs twice";
-    EXPECT_EQ(claim.why.empty(), claim.verdict == Verdict::holds) << claim.id;
+    EXPECT_TRUE(found.emplace(claim.id, name(claim.finding)).second) << claim.id << " occurs twice";
+    EXPECT_EQ(claim.why.empty(), claim.finding == Finding::holds) << claim.id;
   }
   return found;
 }

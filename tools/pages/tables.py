@@ -93,24 +93,25 @@ def plain(number: str) -> str:
     return f"{float(number):.4g}" if "e" in number else number
 
 
+def claims_of(results: Results, section: str) -> list[dict]:
+    """The claims of an entry of docs/ledger/claims.json."""
+    return next(entry for entry in json.loads(results.output("ledger")) if entry["id"] == section)["claims"]
+
+
 def comparison(results: Results, section: str, against: str, as_mapped: bool) -> tuple[list[str], str]:
-    """Numbers and verdict of the claim of the ledger that moving by information leaves less entropy than another
+    """Numbers and finding of the claim of the ledger that moving by information leaves less entropy than another
     strategy. `as_mapped`: in the variant that counts unseen landmarks as far as they would be mapped."""
-    for row in ledger_section(results, section).split("\n"):
-        found = COMPARISON.search(row)
-        if found and found[1] == against and ("exploration.counted = as-mapped" in row) == as_mapped:
-            return [plain(number) for number in found.groups()[1:]], row.split(" | ")[4]
-    raise KeyError(f"docs/claims.md, {section}: no comparison with `{against}`")
-
-
-def ledger_section(results: Results, section: str) -> str:
-    """A section of docs/claims.md."""
-    return results.output("ledger").split(f"\n## {section}: ")[1].split("\n## ")[0]
+    for claim in claims_of(results, section):
+        found = COMPARISON.search(claim["measured"])
+        if found and found[1] == against and ("exploration.counted = as-mapped" in claim["statement"]) == as_mapped:
+            return [plain(number) for number in found.groups()[1:]], claim["finding"].replace("-", " ")
+    raise KeyError(f"docs/ledger/claims.json, {section}: no comparison with `{against}`")
 
 
 def coverage(results: Results, section: str, strategy: str) -> str:
-    """Percent of the room that a strategy has seen, of docs/claims.md."""
-    return next(share for name, _, share in COVERAGE.findall(ledger_section(results, section)) if name.strip() == strategy)
+    """Percent of the room that a strategy has seen, of docs/ledger/claims.json."""
+    return next(share for claim in claims_of(results, section)
+                for name, _, share in COVERAGE.findall(claim["measured"]) if name.strip(" .") == strategy)
 
 
 def gain_row(results: Results, section: str, ours: str, against: str, baseline: str, as_mapped: bool = False) -> str:
@@ -123,7 +124,7 @@ def gain_row(results: Results, section: str, ours: str, against: str, baseline: 
 def gain_sentence(results: Results, section: str, ours: str, against: str, baseline: str) -> str:
     """The same in words, of the variant."""
     (gap, low, high, lower, rooms, _, _, error, other_error), _ = comparison(results, section, against, True)
-    return (f"Over {rooms} rooms, mutual information leaves {gap.lstrip('-')} nats less entropy than random motion (99.9 % interval "
+    return (f"Over {rooms} rooms, mutual information leaves {gap.lstrip('-')} nats less entropy than random motion (95 % interval "
             f"{high.lstrip('-')} to {low.lstrip('-')}), but its median position error is {error} m against {other_error} m, "
             f"and the camera sees {coverage(results, section, ours)} % of the room against {coverage(results, section, baseline)} %.")
 

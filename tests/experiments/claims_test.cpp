@@ -116,7 +116,7 @@ TEST_P(Claims, ArePublishedWithTheirFindings) {
 }
 
 /// After a single run statistical claims are undecided, and all written numbers are finite. Costly experiments
-/// are run once only, with few runs, by the test above.
+/// are run only once, with few runs, by the test above.
 TEST_P(Claims, StatisticalOnesAreUndecidedAfterOneRun) {
   const std::string& id = GetParam().id;
   if (id.starts_with("4.")) return;  // the examples of Chapter 4 have no statistical claims

@@ -1,11 +1,11 @@
 // The unscented transformation of the vehicle states on simulated drives: contribution 3 and Section 2.2.1.
 //
 // Experiment: the drives of planar_consistency.hpp, whose odometry comes ten times a second (0.1 m a reading), and
-// the same with one reading a second (1 m); from a heading that is known, and drawn with 15 and 30 degrees. The
-// two rates were chosen on seeds 1001 to 1400, the bound of 1 % with all results known; they are from seeds 3001,
-// 3002, ... Measured, for the EKF and for the unscented vehicle on the same drives: error of the path after a rigid
-// fit, which leaves out what the first heading makes of it, and the filter's sigma of the position. Cost: processor
-// time of one prediction with 25 to 200 landmarks, beside a transformation of the whole state.
+// the same with one reading a second (1 m); from a heading that is known, and drawn with 30 degrees. The two rates
+// were chosen on seeds 1001 to 1400, the bound of 1 % with all results known; they are from seeds 3001, 3002, ...
+// Measured, for the EKF and for the unscented vehicle on the same drives: error of the path after a rigid fit, which
+// leaves out what the first heading makes of it, and the filter's sigma of the position. Cost: processor time of one
+// prediction with 25 to 200 landmarks, beside a transformation of the whole state.
 #include "experiments/unscented_claims.hpp"
 
 #include <Eigen/Cholesky>
@@ -79,7 +79,7 @@ Claim errs_less(const std::vector<Beside>& all, int seeds) {
       "1.3-unscented", "Section 1.3, third contribution, with [6]",
       "The unscented transformation of the vehicle states reduces what linearization does to EKF SLAM: at "
       "least 1 % less error of the path than the EKF's on the same drives, with odometry at 10 Hz, from "
-      "known and unsure headings",
+      "a known heading and one known to 30°",
       {.rule = Rule::superiority,
        .measured = {"change of the error at 10 Hz: {}; at 1 Hz: {}", changes(all, true, &Beside::error),
                     changes(all, false, &Beside::error)},
@@ -93,12 +93,12 @@ Claim errs_less(const std::vector<Beside>& all, int seeds) {
 }
 
 Claim is_tighter(const std::vector<Beside>& all, int seeds) {
-  const Interval& unsure = all[2].sigma;  // 30 degrees, 10 Hz
+  const Interval& unsure = all[1].sigma;  // 10 Hz, 30 degrees
   return assessed(
       "text-2.2.1-unscented-tighter", "Section 2.2.1, with [6]",
       "The unscented transformation of the vehicle states produces tighter covariance estimates: a smaller "
       "sigma of the position than the EKF's on the same drives, with odometry at 10 Hz and at 1 Hz, from "
-      "known and unsure headings",
+      "a known heading and one known to 30°",
       {.rule = Rule::superiority,
        .measured = {"change of the sigma at 10 Hz: {}; at 1 Hz: {}", changes(all, true, &Beside::sigma),
                     changes(all, false, &Beside::sigma)},
@@ -202,7 +202,7 @@ Claim costs_less() {
 std::vector<Claim> unscented_claims(int seeds) {
   std::vector<Beside> all;
   for (const double odometry_hz : {10.0, 1.0})
-    for (const double heading_deg : {0.0, 15.0, 30.0})
+    for (const double heading_deg : {0.0, 30.0})
       all.push_back(beside_the_ekf(odometry_hz, heading_deg, seeds));
   return {errs_less(all, seeds), is_tighter(all, seeds), costs_less()};
 }

@@ -72,6 +72,7 @@ Claim assessed(Claim claim, Answer printed, Instead instead) {
   if (printed == Answer::refuted && instead.answer == Answer::undecided && !contradicts)
     return undecided(std::move(claim), "not as printed; whether as corrected, the interval leaves open");
   claim.finding = found(printed, instead);
+  if (printed == Answer::refuted) fmt::print(stderr, "DEBUG {} instead {}\n", claim.id, instead.answer == Answer::shown ? "shown" : instead.answer == Answer::refuted ? "REFUTED" : "UNDECIDED");
   if (claim.finding == Finding::holds) claim.why.clear();
   if (claim.finding == Finding::does_not_hold && claim.why.empty()) claim.why = "not investigated";
   return claim;

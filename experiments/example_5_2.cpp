@@ -6,11 +6,11 @@
 // and (7, 0) along the path. The robot has arrived when it stays within 0.5 m of the reference from then on;
 // the last 50 s are the steady state.
 #include "experiments/example_5_2.hpp"
-#include "experiments/closed_loop_control.hpp"
 #include "experiments/closed_loop_figures.hpp"
 #include "experiments/closed_loop_statistics.hpp"
 #include "experiments/common.hpp"
 #include "experiments/paired_factor.hpp"
+#include "experiments/unaffected_control.hpp"
 
 namespace incognita {
 namespace {

@@ -96,8 +96,8 @@ Inverse of_monobot(int steps) {
   const LinearSystem s = monobot::system(setup);
   const monobot::Course course = monobot::course(setup);
   MatrixXd by_S = MatrixXd::Zero(s.F.rows(), s.F.rows()), by_R = by_S;
-  for (const MatrixXd& prior : course.prior) {
-    const MatrixXd S = s.H * prior * s.H.transpose() + s.R;
+  for (std::size_t k = 1; k < course.prior.size(); ++k) {
+    const MatrixXd S = s.H * course.prior[k] * s.H.transpose() + s.R;
     by_S += s.H.transpose() * S.inverse() * s.H, by_R += s.H.transpose() * s.R.inverse() * s.H;
   }
   return {off_inverse(by_S, course.posterior.back()), off_inverse(by_R, course.posterior.back())};

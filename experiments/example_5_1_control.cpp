@@ -5,10 +5,10 @@
 // steered by the estimate, by the truth, and by the inputs that lead to the goal without noise. The same
 // seeds have the same noises. Distances are root mean squares from 40 s to 50 s, when the vehicle stands at
 // the goal.
-#include "experiments/closed_loop_control.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_1.hpp"
 #include "experiments/paired_factor.hpp"
+#include "experiments/unaffected_control.hpp"
 
 namespace incognita::section_5_1 {
 namespace {

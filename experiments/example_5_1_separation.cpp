@@ -311,9 +311,9 @@ Claim stable_filter(Weighted runs, const Weighted& others) {
       "LQG in SLAM is stable for a controllable vehicle, and with full observability so is the filter: with "
       "two known landmarks its error does not grow while the vehicle stands at the goal",
       {.rule = Rule::boundedness,
-       .measured = {"rms error of the position from 120 s to 160 s {} that from 40 s to 80 s, over {} runs",
-                    text(growth, "times"), runs.size()},
-       .number = ClaimNumber{"error at the end over that at half of the time", growth},
+       .measured = {"rms error of the position from 40-80 s to 120-160 s, over {} runs: {}", runs.size(),
+                    text(in_percent(growth), "% more")},
+       .number = ClaimNumber{"growth of the error from half of the time to its end", in_percent(growth), "%"},
        .seeds = runs.size()},
       has_stopped_growing(growth));
 }

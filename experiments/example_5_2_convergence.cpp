@@ -60,9 +60,10 @@ Claim gains() {
                     after(0.5), after(2), hold_s, bound, under, over, slow_bound, slow_under, slow_over,
                     left},
        .number = exactly("largest K that converges, held for 0.1 s at 1 rad/s", bound, "1/s"),
-       .why = "K = Q2 definite and small enough: |1 - lambda dt| < 1 for every eigenvalue, and on the "
-              "vehicle, which turns while a command is held, lambda dt < 2 a cot(a), a = w dt / 2 at the "
-              "largest turn rate w; without a limit on w no gain converges from everywhere"},
+       .why =
+           "if Q2 is definite and small enough: |1 - lambda dt| < 1 for every eigenvalue, and on the vehicle, "
+           "which turns while a command is held, lambda dt < 2 a cot(a), a = w dt / 2 at the largest turn "
+           "rate w"},
       after(2) < 1 && after(1) < 1, on_condition(when_small));
 }
 

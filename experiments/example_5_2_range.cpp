@@ -60,8 +60,8 @@ Claim linear_range() {
                exact = arrivals_s(Regulator::feedback_linearization, range_m);
     const bool small = range_m < 1, arrives = there(anew) == directions && there(exact) == directions;
     const Interval slower = arrives ? factor(anew, exact) : Interval{NAN, NAN, NAN};
-    all.add({{"{} m: gain kept {}, linearized anew {} ({}), feedback linearization {}", range_m, there(kept),
-              there(anew), text(slower, "times as long"), there(exact)}});
+    all.add({{"{} m: {}, {}, {}{}", range_m, there(kept), there(anew), there(exact),
+              small ? "" : "; anew it takes " + text(slower, "times as long as the last")}});
     if (small) {
       kept_fails = kept_fails && there(kept) == directions;  // within its range it serves
     } else {
@@ -77,7 +77,9 @@ Claim linear_range() {
       "m the regulator does not arrive from more than half of the directions, or takes longer than feedback "
       "linearization by a factor of 1.25 or more",
       {.rule = Rule::frequency,
-       .measured = {"arrived, of {} directions, from {}", directions, all.text()},
+       .measured = {"arrived, of {} directions, by the gain of the start, linearized anew, and by feedback "
+                    "linearization: {}",
+                    directions, all.text()},
        .number = share_number("directions from which the gain of the start does not lead there from 200 m",
                               astray_far, directions),
        .why = "of a controller that is linear, with its gain kept: it serves from 1 cm and fails from more "

@@ -127,7 +127,7 @@ struct GazeDrift {
   Interval growth() const { return factor(late, early); }
   std::string text() const {
     return fmt::format("{:.2f} and {:.2f} degrees, {}", rms_of(early).value, rms_of(late).value,
-                       incognita::text(growth(), "times"));
+                       incognita::text(in_percent(growth()), "% more"));
   }
 };
 
@@ -160,8 +160,8 @@ Claim orientation_term(const ExperimentSettings& settings) {
        .printed = "alpha = alpha* - Q_2w (w - w*)",
        .measured = {"rms over {} runs: printed {}; with the orientation fed back {}", seeds, printed.text(),
                     ours.text()},
-       .number =
-           ClaimNumber{"angle off at the end over that at half of the time, as printed", printed.growth()},
+       .number = ClaimNumber{"growth of the angle off from half of the time to its end",
+                             in_percent(printed.growth()), "%"},
        .why = "it has no feedback of the orientation, so that disturbances of the gaze accumulate. With a "
               "term of the orientation error they do not",
        .seeds = seeds},

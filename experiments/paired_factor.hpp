@@ -27,6 +27,11 @@ inline Answer as_good(const Interval& factor) {
   return is_above(factor, 1 / as_good_factor) && is_below(factor, as_good_factor);
 }
 
+/// By how much more: a factor of 1.02 is 2 %.
+inline Interval in_percent(const Interval& factor) {
+  return {100 * (factor.value - 1), 100 * (factor.low - 1), 100 * (factor.high - 1)};
+}
+
 /// Rule::boundedness, of what a quantity is at the end over what it was at half of the time.
 inline Answer has_stopped_growing(const Interval& factor) { return is_below(factor, 1.05); }
 

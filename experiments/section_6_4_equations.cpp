@@ -40,8 +40,11 @@ Rates gamma(const Vector3d& angles, const Vector2d& u, Lever lever) {
   return gamma(angles, u, lever == Lever::rigid ? lever_m : lever_m * std::cos(angles[0]));
 }
 
+/// Of the two sets of angles the one with cos(psi) > 0, which suits (6.10) best.
 Vector3d angles_of(const Matrix3d& R) {
-  return {-std::atan2(R(2, 1), R(2, 2)), std::asin(R(2, 0)), std::atan2(R(1, 0), R(0, 0))};
+  const Vector3d one(-std::atan2(R(2, 1), R(2, 2)), std::asin(R(2, 0)), std::atan2(R(1, 0), R(0, 0)));
+  if (std::cos(one[0]) > 0) return one;
+  return {wrap_angle(one[0] + pi), wrap_angle(pi - one[1]), wrap_angle(one[2] + pi)};
 }
 
 Matrix3d y_up() {  // x to the right, y up, z towards the viewer
@@ -62,8 +65,9 @@ Exact by_contact(const TerrainVehicle& vehicle, const Vector3d& x, const Vector2
     return angles_of(y_up() * rotation_matrix<double>(camera(seconds).segment<4>(3)));
   };
   constexpr double e = 1e-5;
+  const Vector3d turned = angles(e) - angles(-e);
   return {y_up() * (camera(e).head<3>() - camera(-e).head<3>()) / (2 * e), angles(0),
-          (angles(e) - angles(-e)) / (2 * e)};
+          turned.unaryExpr([](double angle) { return wrap_angle(angle); }) / (2 * e)};
 }
 
 std::vector<Vector2d> inputs() { return {{1.5, 0}, {0, 0.7}, {-0.8, 1.1}, {2, -2}}; }

@@ -1,4 +1,4 @@
-#include "experiments/closed_loop_control.hpp"
+#include "experiments/unaffected_control.hpp"
 
 #include <fmt/format.h>
 

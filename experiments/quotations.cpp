@@ -10,13 +10,13 @@
 namespace incognita {
 namespace {
 
-struct Heading {
+struct ListedSection {
   std::string_view section;
   std::string_view pages;
 };
 
 /// From the table of contents: a section ends on the page before the next one begins, or on that page.
-constexpr Heading headings[] = {
+constexpr ListedSection table_of_contents[] = {
     {"Abstract", "ii-iii"}, {"1", "1-2"},         {"1.1", "2-5"},       {"1.2", "5-6"},
     {"1.3", "6-8"},         {"1.4", "8-10"},      {"2", "11"},          {"2.1", "11-13"},
     {"2.2", "13-14"},       {"2.2.1", "14-16"},   {"2.2.2", "16-17"},   {"2.2.3", "17-20"},
@@ -47,8 +47,8 @@ std::map<std::string_view, Quotation> by_claim() {
 }  // namespace
 
 std::string pages_of(std::string_view section) {
-  const auto found = std::ranges::find(headings, section, &Heading::section);
-  return found == std::end(headings) ? "" : std::string(found->pages);
+  const auto found = std::ranges::find(table_of_contents, section, &ListedSection::section);
+  return found == std::end(table_of_contents) ? "" : std::string(found->pages);
 }
 
 std::optional<ClaimSource> source_of(std::string_view claim) {

@@ -8,10 +8,8 @@
 #include "experiments/exploring_claims.hpp"
 #include "experiments/thesis_features.hpp"
 
-namespace incognita {
+namespace incognita::exploring {
 namespace {
-
-using namespace exploring;
 
 const Common camera{"counted-camera", "Section 6.2, Figure 6.3", "a free camera on images of rendered rooms"},
     vehicle{"counted-vehicle", "Section 6.2, Figure 6.3", "a vehicle on images of rendered rooms"};
@@ -39,8 +37,7 @@ LedgerEntry run_counted_as_mapped(const ExperimentSettings& all_seeds) {
 }
 
 }  // namespace
+}  // namespace incognita::exploring
 
-const Experiment counted_as_mapped{
-    "counted", "Counting only what would be mapped", {}, run_counted_as_mapped, true};
-
-}  // namespace incognita
+const incognita::Experiment incognita::counted_as_mapped{
+    "counted", "Counting only what would be mapped", {}, exploring::run_counted_as_mapped, true};

@@ -8,10 +8,8 @@
 #include "experiments/exploring_claims.hpp"
 #include "experiments/exploring_figures.hpp"
 
-namespace incognita {
+namespace incognita::exploring {
 namespace {
-
-using namespace exploring;
 
 /// Compared with (i), as the baselines are.
 const std::vector<Strategy>& look_ahead() {
@@ -79,8 +77,10 @@ LedgerEntry run_section_6_3(const ExperimentSettings& all_seeds) {
 }
 
 }  // namespace
+}  // namespace incognita::exploring
 
-const Experiment section_6_3{
-    "6.3", "A camera that explores a room of points", {"fig-6.4", "fig-6.5"}, run_section_6_3, true};
-
-}  // namespace incognita
+const incognita::Experiment incognita::section_6_3{"6.3",
+                                                   "A camera that explores a room of points",
+                                                   {"fig-6.4", "fig-6.5"},
+                                                   exploring::run_section_6_3,
+                                                   true};

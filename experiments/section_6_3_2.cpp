@@ -10,10 +10,8 @@
 #include "experiments/exploring_figures.hpp"
 #include "experiments/thesis_features.hpp"
 
-namespace incognita {
+namespace incognita::exploring {
 namespace {
-
-using namespace exploring;
 
 const Common by_hand{"6.3.2", "Section 6.3.2", "held in a hand, on images of rendered rooms"};
 
@@ -62,8 +60,7 @@ LedgerEntry run_section_6_3_2(const ExperimentSettings& all_seeds) {
 }
 
 }  // namespace
+}  // namespace incognita::exploring
 
-const Experiment section_6_3_2{
-    "6.3.2", "A camera in a hand, on images", {"fig-6.7"}, run_section_6_3_2, true};
-
-}  // namespace incognita
+const incognita::Experiment incognita::section_6_3_2{
+    "6.3.2", "A camera in a hand, on images", {"fig-6.7"}, exploring::run_section_6_3_2, true};

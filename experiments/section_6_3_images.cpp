@@ -10,10 +10,8 @@
 #include "experiments/exploring_claims.hpp"
 #include "experiments/thesis_features.hpp"
 
-namespace incognita {
+namespace incognita::exploring {
 namespace {
-
-using namespace exploring;
 
 const Common images{"6.3-images", "Section 6.3.1", "on images of rendered rooms"};
 
@@ -27,7 +25,7 @@ double fall_by_returning(const Run& run) {
   double fallen[2] = {0, 0}, count[2] = {0, 0};
   bool any = false;
   for (std::size_t i = 1; i < run.decisions.size(); ++i) {
-    const exploring::Decision &before = run.decisions[i - 1], &now = run.decisions[i];
+    const Decision &before = run.decisions[i - 1], &now = run.decisions[i];
     const bool returned = now.longest_away_s > turned_away_s;
     any = any || returned;
     const double fall = before.entropy_camera - now.entropy_camera;
@@ -74,8 +72,7 @@ LedgerEntry run_section_6_3_images(const ExperimentSettings& all_seeds) {
 }
 
 }  // namespace
+}  // namespace incognita::exploring
 
-const Experiment section_6_3_images{
-    "6.3-images", "A camera that explores by its images", {}, run_section_6_3_images, true};
-
-}  // namespace incognita
+const incognita::Experiment incognita::section_6_3_images{
+    "6.3-images", "A camera that explores by its images", {}, exploring::run_section_6_3_images, true};

@@ -11,10 +11,8 @@
 #include "experiments/exploring_claims.hpp"
 #include "experiments/exploring_figures.hpp"
 
-namespace incognita {
+namespace incognita::exploring {
 namespace {
-
-using namespace exploring;
 
 const Common driven{"6.4", "Section 6.4.2", "over uneven ground in rooms of points"};
 
@@ -72,18 +70,18 @@ template <class Of>
 double time_of_half_the_fall(const Run& run, const Of& of) {
   if (run.decisions.empty()) return std::nan("");
   const double half = 0.5 * (of(run.decisions.front()) + of(run.decisions.back()));
-  for (const exploring::Decision& d : run.decisions)
+  for (const Decision& d : run.decisions)
     if (of(d) <= half) return d.t_s;
   return std::nan("");
 }
 
 Claim pose_first(const Runs& runs) {
   const auto camera = [](const Run& run) {
-    return time_of_half_the_fall(run, [](const exploring::Decision& d) { return d.entropy_camera; });
+    return time_of_half_the_fall(run, [](const Decision& d) { return d.entropy_camera; });
   };
   const auto all = [](const Run& run) {
-    return time_of_half_the_fall(
-        run, [](const exploring::Decision& d) { return d.entropy_extended - d.entropy_camera; });
+    return time_of_half_the_fall(run,
+                                 [](const Decision& d) { return d.entropy_extended - d.entropy_camera; });
   };
   const std::vector<double> earlier = less(each(runs, camera), each(runs, all));
   const Interval lead = bootstrap_mean(earlier);
@@ -180,8 +178,10 @@ LedgerEntry run_section_6_4(const ExperimentSettings& all_seeds) {
 }
 
 }  // namespace
+}  // namespace incognita::exploring
 
-const Experiment section_6_4{
-    "6.4", "A vehicle that explores over uneven ground", {"fig-6.9", "fig-6.10"}, run_section_6_4, true};
-
-}  // namespace incognita
+const incognita::Experiment incognita::section_6_4{"6.4",
+                                                   "A vehicle that explores over uneven ground",
+                                                   {"fig-6.9", "fig-6.10"},
+                                                   exploring::run_section_6_4,
+                                                   true};

@@ -12,10 +12,8 @@
 #include "experiments/thesis_features.hpp"
 #include "incognita/models/motion/heading.hpp"
 
-namespace incognita {
+namespace incognita::exploring {
 namespace {
-
-using namespace exploring;
 
 const Common driven_by_images{"6.4.3", "Section 6.4.3", "over uneven ground, on images of rendered rooms"};
 
@@ -69,8 +67,10 @@ LedgerEntry run_section_6_4_3(const ExperimentSettings& all_seeds) {
 }
 
 }  // namespace
+}  // namespace incognita::exploring
 
-const Experiment section_6_4_3{
-    "6.4.3", "A vehicle that explores by images over uneven ground", {"fig-6.13"}, run_section_6_4_3, true};
-
-}  // namespace incognita
+const incognita::Experiment incognita::section_6_4_3{"6.4.3",
+                                                     "A vehicle that explores by images over uneven ground",
+                                                     {"fig-6.13"},
+                                                     exploring::run_section_6_4_3,
+                                                     true};

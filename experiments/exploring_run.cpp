@@ -15,7 +15,9 @@ namespace {
 
 Decision decision_of(const Snapshot& s) {
   const SnapshotDecision& of = s.bodies.front().decision;
-  Decision d{s.tick.t, of.chosen, chosen_action(of), of.scores, s.entropy_extended.value_or(std::nan(""))};
+  Decision d{
+      s.tick.t,         of.chosen, chosen_action(of), of.scores, s.entropy_extended.value_or(std::nan("")),
+      s.entropy.vehicle};
   for (const SnapshotLandmark& l : s.landmarks)
     if (!l.anchor) d.mapped.push_back(l.id);
   return d;
@@ -30,10 +32,11 @@ class Gathered {
     const SnapshotBody& body = s.bodies.at(0);
     run_.actions = body.decision.actions;
     run_.lost = s.status.state == TrackingState::lost;
-    returned_ += returned(s);
+    note_returned(s);
     if (body.decision.decided && body.decision.chosen >= 0) {
       run_.decisions.push_back(decision_of(s));
       run_.decisions.back().returned = std::exchange(returned_, 0);
+      run_.decisions.back().longest_away_s = std::exchange(longest_away_s_, 0);
     }
     if (has_pose(body) && body.truth) add_instant(s);
   }
@@ -52,27 +55,29 @@ class Gathered {
  private:
   void add_instant(const Snapshot& s) {
     const SnapshotBody& body = s.bodies.front();
-    Instant i{s.tick.t, *body.truth, body.estimate, body.covariance, s.entropy, mapped_landmarks(s)};
+    Instant i{s.tick.t,  *body.truth,         body.estimate, body.covariance,
+              s.entropy, mapped_landmarks(s), s.matched};
+    if (body.velocity) i.velocity = body.velocity->head<3>();
     squares_ += (i.truth.position - i.estimate.position).squaredNorm();
     nees_ += pose_nees(pose_error(i.truth, i.estimate), i.covariance).value_or(std::nan(""));
     run_.instants.push_back(std::move(i));
   }
 
-  int returned(const Snapshot& s) {
-    int count = 0;
+  void note_returned(const Snapshot& s) {
     for (const SnapshotMatch& match : s.matches) {
       if (match.outcome != MatchOutcome::matched || match.anchor) continue;
       const auto [last, first] = matched_t_s_.try_emplace(match.id, s.tick.t);
-      count += !first && s.tick.t - last->second > away_s;
+      const double away = s.tick.t - last->second;
+      if (!first && away > away_s) ++returned_, longest_away_s_ = std::max(longest_away_s_, away);
       last->second = s.tick.t;
     }
-    return count;
   }
 
   Run run_;
   ExplorationSummary summary_;
   std::map<std::int64_t, double> matched_t_s_;  ///< when last, by landmark
   int returned_ = 0;                            ///< since the last decision
+  double longest_away_s_ = 0;
   double squares_ = 0, nees_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,6 +21,8 @@ struct Instant {
   PoseCovariance covariance;
   SnapshotEntropy entropy;
   int landmarks = 0;  ///< mapped, without anchors
+  int matched = 0;    ///< landmarks and anchors measured in this frame
+  Eigen::Vector3d velocity = Eigen::Vector3d::Constant(NAN);  ///< estimated, m/s, world; if it is a state
 };
 
 struct Decision {
@@ -27,9 +30,11 @@ struct Decision {
   int chosen = 0;  ///< of Run::actions
   std::string action;
   std::vector<double> scores;
-  double entropy_extended = 0;            ///< nats
+  double entropy_extended = 0;            ///< of camera, map and what is not mapped yet, nats
+  double entropy_camera = 0;              ///< nats
   std::vector<std::int64_t> mapped = {};  ///< ids of the map
   int returned = 0;                       ///< landmarks that came back since the decision before
+  double longest_away_s = 0;              ///< of those: how long it had not been matched
 };
 
 struct Run {

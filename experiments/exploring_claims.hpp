@@ -47,6 +47,11 @@ Claim moves_across(const Common& common, const Runs& runs);
 Claim backs_away(const Common& common, const std::string& start, const Runs& runs);
 Claim accelerates(const Common& common, const Runs& runs);
 
+/// Of the runs of our metric beside those that count all, as printed, and those of the baselines: `against` each,
+/// with ids ID-as-mapped-.
+std::vector<Claim> counted_as_mapped(const Common& common, const Runs& ours, std::vector<Runs> blind,
+                                     const Runs& all);
+
 /// The claims with those numbers after what the first has measured.
 std::vector<Claim> with_numbers(std::vector<Claim> claims, const std::string& numbers);
 

@@ -2,9 +2,10 @@
 //
 // Experiment: scenarios/explore-room.toml with the features of the thesis and the metric as printed, which
 // counts all landmarks that are expected in unobserved space; the room, its boxes and its textures drawn from
-// the seed; 15 images a second; 0.3 m a second; 35 s. The scenario's own metric beside it. The plan of the comparison, written before the runs: as for points (section_6_3.cpp), in rooms
-// that were not used to choose any setting; entropies are of always 150 landmarks. Closing loops is tested over
-// 60 s, in which the gaze turns around twice: landmarks of the first turn come back after about 31 s.
+// the seed; 15 images a second; 0.3 m a second; 35 s. The scenario's own metric beside it. The plan of the
+// comparison, written before the runs: as for points (section_6_3.cpp), in rooms that were not used to choose
+// any setting; entropies are of always 150 landmarks. Closing loops is tested over 60 s, in which the gaze turns
+// around twice: landmarks of the first turn come back after about 31 s.
 #include "experiments/common.hpp"
 #include "experiments/exploring_claims.hpp"
 #include "experiments/thesis_features.hpp"

@@ -97,7 +97,7 @@ Claim more_accurate_gaze(const Common& common, const std::vector<Runs>& runs) {
   const Interval to_i = times(runs[0], runs[2], &Run::position_rms_m),
                  to_ii = times(runs[1], runs[2], &Run::position_rms_m);
   return assessed(
-      common.id + "-iii-errors", common.place + ", Figure 6.5",
+      common.id + "-gaze-errors", common.place + ", Figure 6.5",
       "Gaze by (6.8) localizes better than a constant rate and than mutual information, " + common.world,
       {.rule = Rule::superiority,
        .measured = {"rms position error over that of (i): {}; of (ii): {}; diverged {}, {} and {}",

@@ -33,7 +33,7 @@ constexpr Headline all_headlines[] = {
      "the truth."},
     {"3.2-unscented",
      "The unscented transformation of the vehicle states reduces the errors of EKF SLAM, as the thesis says."},
-    {"6.3.2-random",
+    {"6.3-images-i-entropy",
      "On images moving by information gain, as printed, leaves more entropy than moving at random; counting only what would be "
      "mapped it leaves less."},
     {"6.4.3-backwards",

@@ -15,7 +15,7 @@
 namespace incognita {
 namespace {
 
-constexpr double clearance_m = 0.15;
+constexpr double camera_clearance_m = 0.15;
 
 std::shared_ptr<const Room> room_of(int boxes, const Eigen::Vector3d& size_m = {4, 4, 2}) {
   RoomSettings settings;
@@ -29,7 +29,7 @@ double sum(const std::vector<double>& areas) { return std::accumulate(areas.begi
 
 TEST(SurfacePatches, AnEmptyRoomHasThePatchesOfItsWallsFloorAndCeiling) {
   const auto room = room_of(0);
-  const SurfacePatches patches(room, free_camera_positions(*room, clearance_m), 1);
+  const SurfacePatches patches(room, free_camera_positions(*room, camera_clearance_m), 1);
   ASSERT_EQ(patches.areas_m2().size(), 4u * 4 * 2 + 2 * 4 * 4);
   const double sheet_m2 = 0.70 * 0.56;
   EXPECT_NEAR(sum(patches.areas_m2()), 64 - sheet_m2, 0.1);
@@ -41,16 +41,16 @@ TEST(SurfacePatches, AnEmptyRoomHasThePatchesOfItsWallsFloorAndCeiling) {
 TEST(SurfacePatches, SidesAreNearToTheGivenSize) {
   const auto room = room_of(0, {4.2, 3.4, 1.9});
   const auto count = [&](double size_m) {
-    return SurfacePatches(room, free_camera_positions(*room, clearance_m), size_m).areas_m2().size();
+    return SurfacePatches(room, free_camera_positions(*room, camera_clearance_m), size_m).areas_m2().size();
   };
   EXPECT_EQ(count(1), 2u * (4 * 3 + 4 * 2 + 3 * 2));
-  EXPECT_EQ(count(0.5), 2u * (8 * 7 + 8 * 4 + 7 * 4));
+  EXPECT_EQ(count(0.5), 2u * (8 * 7 + 8 * 4 + 7 * 4) - 1) << "one is hidden by the sheet";
   EXPECT_THROW(SurfacePatches(room, {}, 0), std::invalid_argument);
 }
 
 TEST(SurfacePatches, APointBelongsToThePatchOnWhichItLies) {
   const auto room = room_of(0);
-  const SurfacePatches patches(room, free_camera_positions(*room, clearance_m), 1);
+  const SurfacePatches patches(room, free_camera_positions(*room, camera_clearance_m), 1);
   const auto left_wall = patches.patch_at({0.3, 2, 0.4});
   ASSERT_TRUE(left_wall);
   EXPECT_EQ(patches.patch_at({0.9, 2, 0.9}), left_wall);
@@ -70,7 +70,7 @@ TEST(SurfacePatches, APointBelongsToThePatchOnWhichItLies) {
 
 TEST(SurfacePatches, WhatBoxesHideDoesNotCount) {
   const auto room = room_of(4, {6, 6, 2.5});
-  const SurfacePatches patches(room, free_camera_positions(*room, clearance_m), 0.1);
+  const SurfacePatches patches(room, free_camera_positions(*room, camera_clearance_m), 0.1);
   for (const Box& box : room->layout().boxes) {
     const Eigen::Vector3d middle = 0.5 * (box.min + box.max);
     EXPECT_EQ(patches.patch_at({middle.x(), middle.y(), 0}), std::nullopt) << "the floor under a box";
@@ -90,13 +90,13 @@ TEST(SurfacePatches, ACameraOnAVehicleDoesNotSeeTheTopsOfHighBoxes) {
   Mount mount;
   mount.up_m = 0.8;
   const SurfacePatches patches(room, carried_camera_positions(*room, mount, 0.3), 0.3);
-  int high = 0, low = 0;
+  int high = 0;
   for (const Box& box : room->layout().boxes) {
     Eigen::Vector3d top = 0.5 * (box.min + box.max);
     top.z() = box.max.z();
     const bool is_high = box.max.z() > mount.up_m;
-    if (is_high) EXPECT_EQ(patches.patch_at(top), std::nullopt);
-    ++(is_high ? high : low);
+    EXPECT_TRUE(!is_high || !patches.patch_at(top)) << top.transpose();
+    high += is_high;
   }
   EXPECT_GT(high, 0);
 }

@@ -4,11 +4,12 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
+#include <vector>
 
 #include "incognita/analysis/evaluation/mapped_share.hpp"
 #include "incognita/app/loop/map_truth.hpp"
+#include "incognita/slam/features/feature.hpp"
 #include "incognita/world/rendered/seen_surface.hpp"
 #include "incognita/world/rendered/surface_patches.hpp"
 
@@ -25,17 +26,21 @@ class RoomMapTruth final : public MapTruth {
   void state(StateArchive& archive) override;
 
  private:
+  /// Of a landmark that began in this run.
   struct TruePoint {
+    std::int64_t landmark = 0;
     std::optional<Eigen::Vector3d> position;
     std::optional<std::size_t> patch;
   };
-  void follow(const std::optional<Truth>& truth, const Estimator& estimator, const Tick& tick);
-  TruePoint true_point(const std::optional<Eigen::Vector3d>& position) const;
+  void add_new(const Truth& truth, const TrackedCamera& camera, const Tick& tick);
+  void remove_deleted(const TrackedCamera& camera);
 
   SeenSurface seen_;
   SurfacePatches patches_;
   MappedShare mapped_;
-  std::map<std::int64_t, TruePoint> points_;  ///< by landmark, of those in the map
+  std::vector<TruePoint>
+      points_;                ///< in the order of the landmarks' ids; some are of landmarks that were deleted
+  std::int64_t newest_ = -1;  ///< greatest id of a landmark so far
 };
 
 }  // namespace incognita

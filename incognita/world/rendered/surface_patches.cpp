@@ -37,6 +37,19 @@ double gray_at(const Surface& surface, int axis, const Eigen::Vector3d& p) {
   return surface.texture.sample(static_cast<int>(256 * u), static_cast<int>(256 * v), 1) / 256.0;
 }
 
+/// Of gray levels.
+struct Contrast {
+  int count = 0;
+  double sum = 0, squares = 0;
+
+  void add(double gray) {
+    ++count;
+    sum += gray;
+    squares += gray * gray;
+  }
+  double variance() const { return squares / count - sum / count * (sum / count); }
+};
+
 /// From one end to the other at equal steps of at most `grid_m`; the middle alone if there is no room.
 std::vector<double> steps_between(double low, double high) {
   if (!(high > low)) return {(low + high) / 2};
@@ -94,22 +107,23 @@ double SurfacePatches::area_that_counts(const DividedSide& side, const Eigen::Ve
                                         const std::vector<Eigen::Vector3d>& cameras) const {
   const int columns = static_cast<int>(std::ceil(size.x() / sample_m)),
             rows = static_cast<int>(std::ceil(size.y() / sample_m)), points = columns * rows;
+  const Eigen::Vector2d step = size.array() / Eigen::Array2d(columns, rows);
   int visible = 0;
-  double sum = 0, squares = 0;
+  Contrast contrast;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
-      const Eigen::Vector3d point = point_on(
-          side, min + size.cwiseProduct(Eigen::Vector2d((column + 0.5) / columns, (row + 0.5) / rows)));
+      const Eigen::Vector2d middle = min + step.cwiseProduct(Eigen::Vector2d(column + 0.5, row + 0.5));
+      const Eigen::Vector3d point = point_on(side, middle);
       if (is_on_sheet(room_->layout().sheet, point) || !is_visible(side, point, cameras)) continue;
-      const double gray = gray_at(*side.surface, side.axis, point);
       ++visible;
-      sum += gray;
-      squares += gray * gray;
+      for (const double du : {-0.25, 0.25})
+        for (const double dv : {-0.25, 0.25})
+          contrast.add(gray_at(*side.surface, side.axis,
+                               point_on(side, middle + step.cwiseProduct(Eigen::Vector2d(du, dv)))));
     }
-  if (visible < least_share * points || visible == 0) return 0;
-  const double mean = sum / visible, variance = squares / visible - mean * mean;
-  if (variance < least_contrast_gray * least_contrast_gray) return 0;
-  return size.prod() * visible / points;
+  const bool counts = visible > 0 && visible >= least_share * points &&
+                      contrast.variance() >= least_contrast_gray * least_contrast_gray;
+  return counts ? size.prod() * visible / points : 0;
 }
 
 Eigen::Vector3d SurfacePatches::point_on(const DividedSide& side, const Eigen::Vector2d& at) const {
@@ -132,7 +146,11 @@ Eigen::Vector3d SurfacePatches::normal_at(const DividedSide& side, const Eigen::
 
 bool SurfacePatches::is_visible(const DividedSide& side, const Eigen::Vector3d& point,
                                 const std::vector<Eigen::Vector3d>& cameras) const {
-  const Eigen::Vector3d normal = normal_at(side, point);
+  const Eigen::Vector3d normal = normal_at(side, point), before = point + on_surface_m * normal;
+  const bool is_covered =  // by a box or a wall that touches it: most of what is not visible
+      !room_->layout().inside.contains(before) ||
+      std::ranges::any_of(room_->layout().boxes, [&](const Box& box) { return box.contains(before); });
+  if (is_covered) return false;
   return std::ranges::any_of(cameras, [&](const Eigen::Vector3d& camera) {
     const Eigen::Vector3d ray = point - camera;
     if (-normal.dot(ray) < least_sine * ray.norm()) return false;

@@ -21,8 +21,9 @@ namespace incognita {
 
 class SurfacePatches {
  public:
-  /// Side of a patch, m.
-  static constexpr double usual_size_m = 0.5;
+  /// Side of a patch, m. A map of a few hundred landmarks, as the program makes it of a room, has a landmark on most patches of
+  /// the walls that were in view; with half that side on about half of them.
+  static constexpr double usual_size_m = 1;
 
   /// `cameras`: positions of a camera in the free space. Throws std::invalid_argument for a size that is not positive.
   SurfacePatches(std::shared_ptr<const Room> room, const std::vector<Eigen::Vector3d>& cameras,

@@ -120,6 +120,7 @@ struct InitializationSettings {
   int particles = 100;
   double min_depth_m = 0.5;
   double max_depth_m = 5.0;
+  bool at_infinity = false;
   double depth_ratio = 0.3;
   int max_line_failures = 10;
   double inverse_depth_per_m = 0.5;
@@ -127,6 +128,8 @@ struct InitializationSettings {
   bool scale_prior_to_view = true;
   double max_linearity = 0.1;
   bool second_order = true;
+
+  DepthRange depth_range() const { return {particles, min_depth_m, max_depth_m, at_infinity}; }
 
   static void describe(auto&& setting) {
     using namespace limits;
@@ -153,6 +156,10 @@ struct InitializationSettings {
     setting(&S::particles, "particles", "", between(2, 100000), "Number of depth hypotheses on the ray");
     setting(&S::min_depth_m, "min_depth_m", "m", above_up_to(0, 1e6), "Nearest depth of a new feature");
     setting(&S::max_depth_m, "max_depth_m", "m", above_up_to(0, 1e6), "Farthest depth of a new feature");
+    setting(
+        &S::at_infinity, "at_infinity", "", any(),
+        "Whether one more hypothesis is at infinity, which must be refuted before a ray becomes a point: else a point beyond "
+        "`max_depth_m` enters the map too near");
     setting(&S::depth_ratio, "depth_ratio", "", above_up_to(0, 1),
             "Ratio of depth sigma to depth below which a ray becomes a point");
     setting(&S::max_line_failures, "max_line_failures", "", between(1, 10000),
@@ -189,7 +196,7 @@ struct MapSettings {
     setting(
         &S::wanted_visible, "wanted_visible", "", between(0, 10000),
         "Number of landmarks expected to match below which new ones are initialized; 0: by the size of the image, 60 "
-        "at 640x480");
+        "at 640x480, and of point landmarks all in view");
     setting(&S::max_landmarks, "max_landmarks", "", between(1, 10000), "Limit of the number of landmarks");
     setting(
         &S::replace_when_full, "replace_when_full", "", any(),

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,7 +64,8 @@ class Sliding {
       const auto at = camera_.project(PointLandmark::in_camera<double>(truth_, point));
       const Eigen::Vector2d noise(sigma_px * random_.normal(), sigma_px * random_.normal());
       if (!at || !camera_.contains(at->pixel) || hidden.count(id) > 0) continue;
-      body.landmarks.push_back({by_identity ? id : Detection::unknown, at->pixel + noise});
+      const bool identified = by_identity || estimator.settings().anchors.contains(id);
+      body.landmarks.push_back({identified ? id : Detection::unknown, at->pixel + noise});
     }
     estimator.update(e, {}, observation, {frame_, dt * static_cast<double>(frame_), frame_ > 0 ? dt : 0});
     ++frame_;
@@ -147,7 +150,7 @@ TEST(DepthLines, EntersTheMapWhenSigmaOverDepthIsSmall) {
   Sliding sliding(settings_with_lines(), {{7, truth}});
   const auto entry = entry_of(sliding, 7, truth, 100);
   ASSERT_TRUE(entry);
-  EXPECT_GT(entry->ticks, 3);
+  EXPECT_GT(entry->ticks, 2);
   EXPECT_LT(entry->sigma_m, 0.31 * entry->depth_m);
   EXPECT_GT(entry->sigma_m, 0.15 * entry->depth_m) << "at once when it is small";
   EXPECT_LT(std::abs(entry->error_m), 3 * entry->sigma_m);
@@ -172,54 +175,58 @@ TEST(DepthLines, TheRatioOfTheSettingsDecides) {
   }
 }
 
-/// Prints what the tests of consistency are about.
-TEST(DepthLines, InitialCovarianceCoversTheErrors) {
-  for (const double depth_m : {1.5, 2.5, 3.5, 4.5, 6.0}) {
-    for (const bool at_infinity : {false, true}) {
-      double squares = 0, nees = 0, error = 0, ticks = 0;
-      int entered = 0;
-      for (int seed = 1; seed <= 400; ++seed) {
-        const Eigen::Vector3d truth(0.3, 0.2, depth_m);
-        EstimatorSettings settings = settings_with_lines();
-        settings.depth_lines->range.at_infinity = at_infinity;
-        Sliding sliding(settings, {{7, truth}}, seed);
-        const auto entry = entry_of(sliding, 7, truth, 200);
-        if (!entry) continue;
-        ++entered;
-        squares += std::pow(entry->error_m / entry->sigma_m, 2);
-        nees += entry->nees;
-        error += entry->error_m;
-        ticks += entry->ticks;
-      }
-      printf("depth %g infinity %d: entered %d, squares %g, nees %g, bias %g, ticks %g\n", depth_m,
-             at_infinity, entered, squares / entered, nees / entered, error / entered, ticks / entered);
-    }
+/// Errors of the points that entered the map, over noise.
+struct Errors {
+  int entered = 0;
+  double squares = 0;  ///< of the depth error over its sigma, mean
+  double nees = 0;     ///< mean
+};
+
+Errors errors_at(double depth_m, int seeds) {
+  Errors errors;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const Eigen::Vector3d truth(0.3, 0.2, depth_m);
+    Sliding sliding(settings_with_lines(), {{7, truth}}, seed);
+    const auto entry = entry_of(sliding, 7, truth, 200);
+    if (!entry) continue;
+    ++errors.entered;
+    errors.squares += std::pow(entry->error_m / entry->sigma_m, 2);
+    errors.nees += entry->nees;
+  }
+  errors.squares /= errors.entered;
+  errors.nees /= errors.entered;
+  return errors;
+}
+
+/// The method of the thesis is overconfident: every match counts the noise of the first detection as if it were drawn anew.
+TEST(DepthLines, InitialCovarianceIsOverconfidentWithinLimits) {
+  for (const double depth_m : {1.5, 2.5, 3.5, 4.5}) {
+    const Errors errors = errors_at(depth_m, 100);
+    EXPECT_EQ(errors.entered, 100) << depth_m;
+    EXPECT_GT(errors.squares, 0.5) << depth_m;
+    EXPECT_LT(errors.squares, 5) << depth_m;
+    EXPECT_LT(errors.nees, 4) << depth_m;
   }
 }
 
-/// A point at infinity shows no parallax, which only hypotheses far away explain.
-TEST(DepthLines, APointAtInfinityNeverEntersTheMap) {
-  const Points points{{7, {3e6, 1e6, 1e7}}};
-  EstimatorSettings settings = settings_with_lines();
-  settings.depth_lines->range.at_infinity = true;
-  for (int seed = 1; seed <= 10; ++seed) {
-    Sliding sliding(settings, points, seed);
-    for (int tick = 0; tick < 400; ++tick) {  // 6 m to the side
-      sliding.step();
-      ASSERT_FALSE(sliding.has_point(7)) << tick;
-      ASSERT_EQ(sliding.estimator.depth_lines().lines().count(7), 1u) << "its line goes on";
-    }
-    EXPECT_EQ(sliding.estimator.depth_lines().lines().at(7).depths.back().inverse_depth, 0);
-  }
-}
-
-/// The hypotheses of the thesis end at 5 m: it enters as soon as those below 1.6 m are refuted.
-TEST(DepthLines, WithoutAHypothesisThereItEntersTooNear) {
+/// The hypotheses of the thesis end at 5 m: a point at infinity enters as soon as those below 1.6 m are refuted.
+TEST(DepthLines, APointBeyondTheHypothesesEntersTooNear) {
   Sliding sliding(settings_with_lines(), {{7, {3e6, 1e6, 1e7}}});
   int tick = 0;
   while (!sliding.has_point(7) && tick < 400) sliding.step(), ++tick;
   ASSERT_LT(tick, 400);
   EXPECT_LT(sliding.e.belief.mean(sliding.landmark(7).block).norm(), 5);
+}
+
+/// The estimate turns by 3 rad in a tick, which the gateless association by identity does not refute.
+TEST(DepthLines, ALineBehindTheCameraIsNotMatched) {
+  EstimatorSettings settings = settings_with_lines();
+  settings.bodies[0].start[11] = 60;
+  Sliding sliding(settings, {{7, {0.3, 0.2, 3}}});
+  sliding.steps(2);
+  const Match& match = sliding.e.last.matches.at(0);
+  EXPECT_FALSE(match.ray);
+  EXPECT_NE(match.outcome, MatchOutcome::matched);
 }
 
 TEST(DepthLines, ALineIsDroppedAfterTicksWithoutAMatch) {
@@ -260,8 +267,8 @@ TEST(DepthLines, NearestNeighborsContinueALine) {
     for (const auto& [id, point] : scattered()) {
       double nearest_m = 1e9;
       for (const auto& [number, landmark] : sliding.e.landmarks)
-        nearest_m = std::min(
-            nearest_m, (Eigen::Vector3d(sliding.e.belief.mean(landmark.block)) - point).norm());
+        nearest_m =
+            std::min(nearest_m, (Eigen::Vector3d(sliding.e.belief.mean(landmark.block)) - point).norm());
       EXPECT_LT(nearest_m, 0.5) << "seed " << seed << ", point " << id;
     }
   }
@@ -288,10 +295,14 @@ TEST(DepthLines, AsManyAsAreWantedInView) {
     Sliding sliding(settings, points);
     sliding.step();
     EXPECT_EQ(sliding.estimator.depth_lines().lines().size(), 2u) << "one in view is an anchor";
-    sliding.steps(100);
-    EXPECT_LE(sliding.e.landmarks.size(), 3u);
-    sliding.steps(100);  // the camera has moved on
-    EXPECT_GT(sliding.e.landmarks.size(), 0u);
+    int full = 0;
+    for (int tick = 0; tick < 200; ++tick) {
+      sliding.step();
+      const auto in_view = std::ranges::count(sliding.e.last.matches, MatchOutcome::matched, &Match::outcome);
+      ASSERT_LE(in_view, 3) << tick;
+      full += in_view == 3;
+    }
+    EXPECT_GT(full, 150) << "others take the place of those out of view";
   }
 }
 
@@ -321,7 +332,7 @@ TEST(DepthLines, TheSameSeedGivesTheSameBytes) {
 TEST(DepthLines, ASavedRunGoesOnWithTheSameBytes) {
   EstimatorSettings settings = settings_with_lines(Method::nearest);
   Sliding whole(settings, scattered());
-  whole.steps(6);
+  whole.steps(2);
   ASSERT_EQ(whole.estimator.depth_lines().lines().size(), 4u) << "or no line is saved";
   const std::string bytes = saved(whole);
   Sliding resumed(settings, scattered(), 99);

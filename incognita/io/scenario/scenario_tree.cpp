@@ -536,8 +536,7 @@ void team_sensor(SettingReader& r, Scenario& s, const Bodies& b) {
 
 void depth_lines(SettingReader& r, InitializationSettings& i) {
   using I = InitializationSettings;
-  r.some(i, &I::min_depth_m, &I::max_depth_m, &I::particles, &I::at_infinity, &I::depth_ratio,
-         &I::max_line_failures);
+  r.some(i, &I::min_depth_m, &I::max_depth_m, &I::particles, &I::depth_ratio, &I::max_line_failures);
 }
 
 /// Prior of landmarks whose distance is not measured, and their conversion to points.

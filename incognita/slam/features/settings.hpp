@@ -120,7 +120,6 @@ struct InitializationSettings {
   int particles = 100;
   double min_depth_m = 0.5;
   double max_depth_m = 5.0;
-  bool at_infinity = false;
   double depth_ratio = 0.3;
   int max_line_failures = 10;
   double inverse_depth_per_m = 0.5;
@@ -129,7 +128,7 @@ struct InitializationSettings {
   double max_linearity = 0.1;
   bool second_order = true;
 
-  DepthRange depth_range() const { return {particles, min_depth_m, max_depth_m, at_infinity}; }
+  DepthRange depth_range() const { return {particles, min_depth_m, max_depth_m}; }
 
   static void describe(auto&& setting) {
     using namespace limits;
@@ -156,10 +155,6 @@ struct InitializationSettings {
     setting(&S::particles, "particles", "", between(2, 100000), "Number of depth hypotheses on the ray");
     setting(&S::min_depth_m, "min_depth_m", "m", above_up_to(0, 1e6), "Nearest depth of a new feature");
     setting(&S::max_depth_m, "max_depth_m", "m", above_up_to(0, 1e6), "Farthest depth of a new feature");
-    setting(
-        &S::at_infinity, "at_infinity", "", any(),
-        "Whether one more hypothesis is at infinity, which must be refuted before a ray becomes a point: else a point beyond "
-        "`max_depth_m` enters the map too near");
     setting(&S::depth_ratio, "depth_ratio", "", above_up_to(0, 1),
             "Ratio of depth sigma to depth below which a ray becomes a point");
     setting(&S::max_line_failures, "max_line_failures", "", between(1, 10000),

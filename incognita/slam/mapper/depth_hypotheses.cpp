@@ -11,43 +11,25 @@
 namespace incognita {
 
 std::vector<DepthHypothesis> uniform_depths(const DepthRange& range, double ray_length) {
-  const int all = range.count + range.at_infinity;
   std::vector<DepthHypothesis> depths;
   for (int i = 0; i < range.count; ++i) {
     const double share = range.count > 1 ? static_cast<double>(i) / (range.count - 1) : 0.5;
     const double depth = range.min_m + share * (range.max_m - range.min_m);
-    depths.push_back({ray_length / depth, 1.0 / all});
+    depths.push_back({ray_length / depth, 1.0 / range.count});
   }
-  if (range.at_infinity) depths.push_back({0, 1.0 / all});
   return depths;
 }
-
-namespace {
-
-/// The hypothesis at infinity is the last one.
-bool may_be_at_infinity(const std::vector<DepthHypothesis>& hypotheses) {
-  return !hypotheses.empty() && hypotheses.back().inverse_depth == 0;
-}
-
-}  // namespace
 
 RayDepth depth_of(const std::vector<DepthHypothesis>& hypotheses) {
   double mean = 0, square = 0;
   for (const DepthHypothesis& h : hypotheses) {
-    if (h.inverse_depth == 0) continue;
     mean += h.weight / h.inverse_depth;
     square += h.weight / (h.inverse_depth * h.inverse_depth);
-  }
-  if (may_be_at_infinity(hypotheses)) {
-    const double others = 1 - hypotheses.back().weight;
-    mean /= others;
-    square /= others;
   }
   return {mean, std::sqrt(std::max(0.0, square - mean * mean))};
 }
 
 std::optional<RayDepth> converged_depth(const std::vector<DepthHypothesis>& hypotheses, double ratio) {
-  if (may_be_at_infinity(hypotheses)) return std::nullopt;
   const RayDepth depth = depth_of(hypotheses);
   return depth.sigma < ratio * depth.mean ? std::optional(depth) : std::nullopt;
 }

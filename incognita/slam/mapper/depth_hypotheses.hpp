@@ -16,7 +16,7 @@ namespace incognita {
 
 class StateArchive;
 
-/// A depth hypothesis on a ray: inverse depth along the initial optical axis (1/m; 0: at infinity), and its probability.
+/// A depth hypothesis on a ray: inverse depth along the initial optical axis, 1/m, and its probability.
 struct DepthHypothesis {
   double inverse_depth = 0;
   double weight = 0;
@@ -26,14 +26,13 @@ struct DepthHypothesis {
 /// Hypotheses at equal distances from each other. `ray_length`: of the ray (x, y, 1), per depth along the optical axis.
 std::vector<DepthHypothesis> uniform_depths(const DepthRange& range, double ray_length);
 
-/// The mean depth of a ray along its initial optical axis, and its standard deviation, m; of the hypotheses that are not at
-/// infinity, and not a number without one.
+/// The mean depth of a ray along its initial optical axis, and its standard deviation, m.
 struct RayDepth {
   double mean = 0, sigma = 0;
 };
 RayDepth depth_of(const std::vector<DepthHypothesis>& hypotheses);
 
-/// The depth, once it is known to `ratio` of itself and the landmark is not at infinity.
+/// The depth, once its standard deviation is less than `ratio` of it.
 std::optional<RayDepth> converged_depth(const std::vector<DepthHypothesis>& hypotheses, double ratio);
 
 /// The mean of a ray at one of its depths, as that of an inverse-depth landmark.
@@ -49,7 +48,7 @@ struct PredictedHypothesis {
   double distance2(const Eigen::Vector2d& found) const;
 };
 
-/// All hypotheses as one Gaussian in the image, for display.
+/// The predicted hypotheses, of which there must be one, as one Gaussian in the image, for display.
 struct PredictedRay {
   Eigen::Vector2d pixel{0.0, 0.0};
   Eigen::Matrix2d innovation_cov = Eigen::Matrix2d::Zero();  ///< px^2

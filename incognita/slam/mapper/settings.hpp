@@ -170,7 +170,6 @@ struct PruningSettings {
 struct DepthRange {
   int count = 100;
   double min_m = 0.5, max_m = 5;  ///< along the ray
-  bool at_infinity = false;       ///< one more hypothesis, of the same weight, for all that is farther away
 
   double spacing_m() const { return (max_m - min_m) / count; }
 };

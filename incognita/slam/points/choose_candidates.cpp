@@ -13,22 +13,28 @@ namespace {
 /// Index of a body, and of a sensor that it carries.
 using OfBody = std::pair<int, int>;
 
-/// Landmarks and anchors in the view of a sensor, and all depth lines.
+/// Whether a sensor matched this detection with a landmark, an anchor or a depth line.
+bool shows_feature(const Match& match, OfBody of) {
+  return OfBody{match.body, match.sensor} == of && !match.of_body && !match.image &&
+         match.outcome == MatchOutcome::matched;
+}
+
+/// Landmarks and anchors predicted in the view of a sensor, and depth lines that it detected.
 int visible(const Estimate& e, OfBody of, const EstimatorSettings& settings) {
-  return static_cast<int>(std::ranges::count_if(e.landmarks, [&](const auto& entry) {
-    const Landmark& landmark = entry.second;
-    if (landmark.form.kind == LandmarkParametrization::Kind::ray) return landmark.camera < 0;
-    return predict_in_view(e, landmark, of.first, of.second, settings).has_value();
-  }));
+  const auto points = std::ranges::count_if(e.landmarks, [&](const auto& entry) {
+    return predict_in_view(e, entry.second, of.first, of.second, settings).has_value();
+  });
+  const auto lines = std::ranges::count_if(e.last.matches, [&](const Match& match) {
+    return match.ray && shows_feature(match, of) && !e.landmarks.at(match.id).mapped();
+  });
+  return static_cast<int>(points + lines);
 }
 
 /// Where the features of a sensor are in this image.
 std::vector<MeasurementVector> features(const Estimate& e, OfBody of) {
   std::vector<MeasurementVector> pixels;
   for (const Match& match : e.last.matches)
-    if (OfBody{match.body, match.sensor} == of && !match.of_body && !match.image &&
-        match.outcome == MatchOutcome::matched)
-      pixels.push_back(match.measured);
+    if (shows_feature(match, of)) pixels.push_back(match.measured);
   return pixels;
 }
 

@@ -16,14 +16,18 @@ namespace {
 struct PredictedLine {
   std::int64_t id = 0;
   DepthLine* line = nullptr;
-  bool in_view = false;  ///< any of its hypotheses
   std::vector<PredictedHypothesis> hypotheses;
 
-  /// To the nearest hypothesis.
-  double distance2(const Eigen::Vector2d& pixel) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const PredictedHypothesis& h : hypotheses) least = std::min(least, h.distance2(pixel));
+  /// To the nearest hypothesis; nothing when the camera has none before it.
+  std::optional<double> distance2(const Eigen::Vector2d& pixel) const {
+    std::optional<double> least;
+    for (const PredictedHypothesis& h : hypotheses)
+      if (const double distance2 = h.distance2(pixel); !least || distance2 < *least) least = distance2;
     return least;
+  }
+  bool gates(const Eigen::Vector2d& pixel, double gate) const {
+    const auto distance = distance2(pixel);
+    return distance && *distance <= gate;
   }
 };
 
@@ -35,13 +39,12 @@ PredictedLine predicted_line(const Estimate& e, std::int64_t id, DepthLine& line
   const AnyMotion& motion = settings.bodies[static_cast<std::size_t>(line.body)].motion;
   const BlockId viewer = e.bodies[static_cast<std::size_t>(line.body)].block;
   const SmallVector state = e.belief.mean(viewer);
-  PredictedLine out{id, &line, false, {}};
+  PredictedLine out{id, &line, {}};
   Eigen::MatrixXd S(2, 2);
   for (std::size_t i = 0; i < line.depths.size(); ++i) {
     const SmallVector y = ray_at(ray, e.belief, line.depths[i].inverse_depth);
     const auto prediction = predict_measurement(sensor.sensor, motion, state, form, y);
     if (!prediction) continue;
-    out.in_view |= prediction->in_view;
     LinearizedMeasurement measurement;
     measurement.add(viewer, prediction->Hv);
     measurement.add(ray.block, SmallMatrix(prediction->Hl.leftCols(5)));
@@ -75,7 +78,7 @@ Shown shown_by_identity(const Estimate& e, const std::vector<PredictedLine>& lin
     for (std::size_t m = 0; m < e.last.matches.size() && !shown[l]; ++m) {
       const Match& match = e.last.matches[m];
       if (match.id == lines[l].id && may_show(match, *lines[l].line, settings) &&
-          lines[l].distance2(match.measured) <= gate)
+          lines[l].gates(match.measured, gate))
         shown[l] = m;
     }
   return shown;
@@ -90,8 +93,9 @@ Shown shown_by_position(const Estimate& e, const std::vector<PredictedLine>& lin
     for (std::size_t m = 0; m < e.last.matches.size(); ++m) {
       const Match& match = e.last.matches[m];
       if (match.id != Detection::unknown || !may_show(match, *lines[l].line, settings)) continue;
-      const double distance2 = lines[l].distance2(match.measured);
-      if (distance2 <= gate) candidates.push_back({static_cast<int>(m), static_cast<int>(l), distance2});
+      const auto distance2 = lines[l].distance2(match.measured);
+      if (distance2 && *distance2 <= gate)
+        candidates.push_back({static_cast<int>(m), static_cast<int>(l), *distance2});
     }
   Shown shown(lines.size());
   for (const int c : nearest_first(candidates)) {
@@ -139,7 +143,7 @@ void keep_new(const Estimate& e, const std::vector<PredictedLine>& lines,
   std::erase_if(candidates, [&](std::size_t m) {
     const Match& match = e.last.matches[m];
     return std::ranges::any_of(lines, [&](const PredictedLine& l) {
-      return may_show(match, *l.line, settings) && l.distance2(match.measured) <= gate;
+      return may_show(match, *l.line, settings) && l.gates(match.measured, gate);
     });
   });
 }

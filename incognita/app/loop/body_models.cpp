@@ -211,6 +211,12 @@ MapperSettings filter_of(const Scenario& s) {
   return f;
 }
 
+std::optional<DepthLineSettings> depth_lines_of(const Scenario& s) {
+  const InitializationSettings& i = s.slam.initialization;
+  if (i.method != InitializationSettings::Method::depth_line) return std::nullopt;
+  return DepthLineSettings{i.depth_range(), i.depth_ratio, i.max_line_failures};
+}
+
 SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i, const Terrain& ground) {
   const TruePlantSettings& p = s.plant;
   SimulatedBody body{motion_of(s, ground), plant_of(s, i), {}};

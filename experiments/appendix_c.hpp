@@ -15,5 +15,7 @@ std::vector<Claim> search_claims();
 std::vector<Claim> cost_claims();
 /// C.4: mismatches; of `rooms` rooms of points.
 std::vector<Claim> mismatch_claims(int rooms);
+/// C.4: clutter; of `rooms` rooms on images.
+std::vector<Claim> clutter_claims(int rooms);
 
 }  // namespace incognita::appendix_c

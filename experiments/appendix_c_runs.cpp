@@ -15,6 +15,7 @@
 #include <map>
 #include <set>
 
+#include "experiments/appendix_c.hpp"
 #include "experiments/common.hpp"
 #include "experiments/exploring_comparison.hpp"
 #include "experiments/thesis_features.hpp"
@@ -209,7 +210,8 @@ LedgerEntry run(const ExperimentSettings& settings) {
   };
   const std::vector<Landmarks> clean = of_rooms(false), dirty = of_rooms(true);
   return entry_of(appendix_c_runs, settings,
-                  {small_number_of_steps(clean), close_features(clean), prunes_bad_features(dirty)});
+                  {small_number_of_steps(clean), close_features(clean), prunes_bad_features(dirty),
+                   appendix_c::clutter_claims(rooms)});
 }
 
 }  // namespace

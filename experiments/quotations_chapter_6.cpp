@@ -150,6 +150,8 @@ std::span<const Quotation> quotations_of_chapter_6() {
        "A small number of steps is required to reduce to below a threshold the ratio of the standard deviation in depth to the depth estimate itself."},
       {"C.4-deletion", "C.4",
        "A feature is deleted from the map if, after a predetermined number of detection and matching attempts [...], more than a fixed proportion (in our work 50 percent) are failures. This criterion prunes bad features which are not true 3D points"},
+      {"C.4-clutter", "C.4",
+       "A degree of clutter in the scene can be dealt with even if it sometimes occludes landmarks."},
       {"C.4-mismatches", "C.4",
        "Problems only arise if mismatches occur [...], and this can potentially lead to catastrophic failure."},
   };

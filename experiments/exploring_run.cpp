@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "incognita/app/loop/assembly.hpp"
+#include "incognita/app/loop/association_score.hpp"
 #include "incognita/record/snapshot/series.hpp"
 #include "incognita/record/summary/exploration_summary.hpp"
 
@@ -83,9 +84,17 @@ class Gathered {
 
 Run gather(Assembly assembly) {
   Gathered gathered;
-  run_loop(assembly.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) { gathered.add(s); }),
+  std::optional<AssociationScore> score;
+  if (assembly.association_truth) score.emplace(assembly.association_truth);
+  const auto publish = [&](const Snapshot& s) {
+    gathered.add(s);
+    if (score) score->add(s);
+  };
+  run_loop(assembly.parts, std::function<void(const Snapshot&)>(publish),
            std::function<bool(const Tick&)>([](const Tick&) { return true; }));
-  return gathered.finish();
+  Run run = gathered.finish();
+  if (score) run.matches_right = score->right(), run.matches_wrong = score->wrong();
+  return run;
 }
 
 /// A number of the first element from `t_s` on at which it is known.
@@ -112,10 +121,13 @@ std::optional<double> Run::extended_when_located(int count) const {
   return first_known(decisions, located_at_s(count), [](const Decision& d) { return d.entropy_extended; });
 }
 
-Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed) {
+Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed,
+            const std::function<void(Assembly&)>& change) {
   Sets all = sets;
   all.push_back("run.seed=" + std::to_string(seed));
-  return gather(assemble(load_scenario(scenario, all)));
+  Assembly assembly = assemble(load_scenario(scenario, all));
+  if (change) change(assembly);
+  return gather(std::move(assembly));
 }
 
 }  // namespace incognita::exploring

@@ -4,13 +4,18 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "incognita/record/snapshot/snapshot.hpp"
 
-namespace incognita::exploring {
+namespace incognita {
+
+struct Assembly;
+
+namespace exploring {
 
 /// What a variant sets beside the scenario, e.g. "decision.gaze=fisher".
 using Sets = std::vector<std::string>;
@@ -44,6 +49,8 @@ struct Run {
   std::vector<SnapshotLandmark> map;  ///< at the end, anchors too
   std::vector<double> located_t_s;    ///< of landmarks in the order in which they were located (record/)
   bool lost = false;                  ///< at the end
+  std::int64_t matches_right = 0,
+               matches_wrong = 0;  ///< without those of anchors; 0 where identities are given
   double position_rms_m = 0, nees = 0, coverage = 0;
   double entropy_extended = 0;  ///< nats, at the last decision
 
@@ -59,6 +66,9 @@ struct Run {
 inline constexpr double away_s = 5;
 
 /// `scenario`: the name of a built-in one, of one camera in a point-landmark world or in the rendered room.
-Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed);
+/// `change`: of its parts before it starts, e.g. of the sensor.
+Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed,
+            const std::function<void(Assembly&)>& change = {});
 
-}  // namespace incognita::exploring
+}  // namespace exploring
+}  // namespace incognita

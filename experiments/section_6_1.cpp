@@ -271,10 +271,11 @@ Claim once_correlated() {
 
 LedgerEntry run_section_6_1(const ExperimentSettings& settings) {
   const Plane plane;
-  return entry_of(section_6_1, settings,
-                  {identities(plane), conditional_entropy(), where_it_is_best(plane), fisher_claims(),
-                   once_correlated(), choice_claims(10 * settings.seeds)},
-                  {figure(plane)});
+  return entry_of(
+      section_6_1, settings,
+      {identities(plane), conditional_entropy(), where_it_is_best(plane), fisher_claims(), once_correlated(),
+       choice_claims(10 * settings.seeds), surface_claims(10 * settings.seeds)},
+      {figure(plane)});
 }
 
 }  // namespace

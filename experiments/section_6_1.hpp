@@ -52,5 +52,7 @@ void measure_often(Plane& plane, int measurements, RandomStream& random);
 std::vector<Claim> fisher_claims();
 /// Information gain against entropy, where actions are evaluated one after the other: Section 6.2.
 std::vector<Claim> choice_claims(int seeds);
+/// How that information changes while the camera measures, and what the eigenvalues of (6.8) show.
+std::vector<Claim> surface_claims(int seeds);
 
 }  // namespace incognita::section_6_1_plane

@@ -48,7 +48,7 @@ Claim less_than_each(const std::string& id, const std::string& place, const std:
        .why = {"compared with {}; not compared with {}{}", names_of(all, Answer::shown),
                names_of(all, Answer::refuted), open.empty() ? "" : "; undecided compared with " + open},
        .seeds = ours.size()},
-      than_each, on_condition(than_some));
+      than_each, than_some == Answer::shown ? on_condition(than_some) : in_truth(Answer::refuted));
 }
 
 Claim less_entropy(const Common& common, const std::string& who, const Runs& ours,

@@ -252,6 +252,6 @@ LedgerEntry run_consistency(const ExperimentSettings& settings) {
 }  // namespace
 
 const Experiment consistency{
-    "consistency", "Consistency of the planar filters", {"fig-consistency"}, run_consistency};
+    "consistency", "Consistency of the planar filters", {"fig-consistency"}, run_consistency, true};
 
 }  // namespace incognita

@@ -107,7 +107,13 @@ Landmarks landmarks_of(std::uint64_t seed, bool dirty) {
   sets.insert(sets.end(),
               {"decision.strategy=random", "decision.gaze=constant-rate", "decision.schedule=at-decisions",
                fmt::format("run.duration_s={}", duration_s), fmt::format("run.seed={}", seed)});
-  if (!dirty) sets.push_back("landmark_initialization.method=depth-line");
+  if (!dirty) {  // without those of inverse depths
+    std::erase_if(sets, [](const std::string& set) {
+      return set.starts_with("landmark_initialization.scale_prior_to_view") ||
+             set.starts_with("landmark_initialization.second_order");
+    });
+    sets.push_back("landmark_initialization.method=depth-line");
+  }
   Assembly assembly = assemble(load_scenario("explore-room", sets));
   auto& sensor = assembly.parts.sensor;
   if (dirty) sensor = std::make_unique<DirtyLens>(std::move(sensor), seed);

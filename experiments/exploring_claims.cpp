@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace incognita::exploring {
 namespace {
@@ -20,11 +21,18 @@ struct Rivalry {
   Answer ours_less;
 };
 
-std::string names_of(const std::vector<Rivalry>& all, Answer answer) {
-  std::vector<std::string> names;
-  for (const Rivalry& one : all)
-    if (one.ours_less == answer) names.push_back(one.rival);
-  return fmt::format("{}", fmt::join(names, ", "));
+/// `compared with standing; not compared with a fixed path`.
+std::string compared_with(const std::vector<Rivalry>& all) {
+  std::vector<std::string> parts;
+  for (const auto& [answer, begin] : {std::pair{Answer::shown, "compared with "},
+                                      {Answer::refuted, "not compared with "},
+                                      {Answer::undecided, "undecided compared with "}}) {
+    std::vector<std::string> names;
+    for (const Rivalry& one : all)
+      if (one.ours_less == answer) names.push_back(one.rival);
+    if (!names.empty()) parts.push_back(fmt::format("{}{}", begin, fmt::join(names, ", ")));
+  }
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 /// The claim that ours is less than each rival's: less than some, if it is not than the others.
@@ -39,16 +47,14 @@ Claim less_than_each(const std::string& id, const std::string& place, const std:
     measured +=
         fmt::format("{} {}: {}", &one == &all.front() ? "" : ";", one.rival, text(one.difference, unit));
   }
-  const std::string open = names_of(all, Answer::undecided);
-  return assessed(
-      id, place, statement,
-      {.rule = Rule::superiority,
-       .measured = measured,
-       .number = ClaimNumber{what + " " + all.front().rival, all.front().difference, unit},
-       .why = {"compared with {}; not compared with {}{}", names_of(all, Answer::shown),
-               names_of(all, Answer::refuted), open.empty() ? "" : "; undecided compared with " + open},
-       .seeds = ours.size()},
-      than_each, than_some == Answer::shown ? on_condition(than_some) : in_truth(Answer::refuted));
+  return assessed(id, place, statement,
+                  {.rule = Rule::superiority,
+                   .measured = measured,
+                   .number = ClaimNumber{what + " " + all.front().rival, all.front().difference, unit},
+                   .why = compared_with(all),
+                   .seeds = ours.size()},
+                  than_each,
+                  than_some == Answer::shown ? on_condition(than_some) : in_truth(Answer::refuted));
 }
 
 Claim less_entropy(const Common& common, const std::string& who, const Runs& ours,

@@ -107,12 +107,15 @@ Interval median_known(std::vector<double> numbers) {
   return median_interval(std::move(numbers));
 }
 
+/// Entropy and share seen only with an exploration prior, since they are of its volume.
 std::string in_numbers(const Runs& runs) {
   const auto mean = [&](const auto& of) { return bootstrap_mean(each(runs, of)).value; };
-  return fmt::format("{}: entropy {} nats, position error {} m, {} diverged, {:.0f} % seen, {:.1f} located",
-                     runs.name, decimals(mean(final_entropy), 0),
+  const bool prior = std::isfinite(mean(&Run::coverage));
+  const std::string entropy = prior ? fmt::format("entropy {} nats, ", decimals(mean(final_entropy), 0)) : "",
+                    seen = prior ? fmt::format("{:.0f} % seen, ", 100 * mean(&Run::coverage)) : "";
+  return fmt::format("{}: {}position error {} m, {} diverged, {}{:.1f} located", runs.name, entropy,
                      decimals(median_known(each(runs, &Run::position_rms_m)).value, 3), diverged_of(runs),
-                     100 * mean(&Run::coverage), mean(located));
+                     seen, mean(located));
 }
 
 std::string in_numbers(const std::vector<Runs>& runs) {

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "incognita/report/ledger.hpp"
 
@@ -64,11 +65,11 @@ std::string row_of_counts(const std::string& label, const std::vector<LedgerEntr
   return all == 0 ? "" : fmt::format("| {} | {} | {} |\n", label, fmt::join(counts, " | "), all);
 }
 
-/// `3` of section 3.1; what is not in a numbered chapter has the section's name.
+/// `Chapter 3` of section 3.1, `Appendix C` of C.2; what is in neither has the section's name.
 std::string chapter_of(const Claim& claim) {
   const std::string& section = claim.source->section;
-  return std::isdigit(static_cast<unsigned char>(section.front())) ? "Chapter " + section.substr(0, 1)
-                                                                   : section;
+  if (std::isdigit(static_cast<unsigned char>(section.front()))) return "Chapter " + section.substr(0, 1);
+  return section.find('.') == 1 ? "Appendix " + section.substr(0, 1) : section;
 }
 
 std::vector<std::string> chapters(const std::vector<LedgerEntry>& entries) {
@@ -77,7 +78,10 @@ std::vector<std::string> chapters(const std::vector<LedgerEntry>& entries) {
     if (claim.source && std::ranges::find(all, chapter_of(claim)) == all.end())
       all.push_back(chapter_of(claim));
   });
-  std::ranges::sort(all);
+  const auto place = [](const std::string& chapter) {  // as in the book
+    return std::pair(chapter.starts_with("Appendix"), chapter);
+  };
+  std::ranges::sort(all, {}, place);
   return all;
 }
 

@@ -72,7 +72,7 @@ TEST(ClosedLoopRuns, AreSteeredByWhatTheyAreToBe) {
     EXPECT_EQ(a.instants[k].robots[0].input, b.instants[k].robots[0].input);
   EXPECT_NE(a.instants.back().robots[0].truth, b.instants.back().robots[0].truth);
   known.noise = 20;  // the estimate is far off, and not looked at
-  planned.noise = 0;
+  planned.noise = 1e-3;
   const auto off_m = [](const ClosedLoop& setup, const closed_loop::Run& run) {
     return distances_m(run, setup.robots[0].steering.path).back();
   };

@@ -72,7 +72,10 @@ TEST(Evidence, ReasonsStayOnlyWithVerdictsThatNeedThem) {
   claim.why = "because";
   EXPECT_EQ(assessed(claim, true).finding, Finding::holds);
   EXPECT_EQ(assessed(claim, true).why, "");
-  EXPECT_EQ(assessed(claim, false, true).finding, Finding::misprint);
+  EXPECT_EQ(assessed(claim, false, as_corrected(true)).finding, Finding::misprint);
+  EXPECT_EQ(assessed(claim, false, on_condition(true)).finding, Finding::holds_if);
+  EXPECT_EQ(assessed(claim, false, in_truth(true)).finding, Finding::does_not_hold);
+  EXPECT_EQ(assessed(claim, false, as_corrected(false)).finding, Finding::does_not_hold);
   EXPECT_EQ(assessed(claim, false).finding, Finding::does_not_hold);
   EXPECT_EQ(assessed(claim, false).why, "because");
   claim.why.clear();
@@ -86,9 +89,10 @@ TEST(Evidence, NotSignificantIsNotFalse) {
   const Answer open = Answer::undecided;
   EXPECT_EQ(assessed(claim, open).finding, Finding::undecided);
   EXPECT_EQ(assessed(claim, open).why, "the interval holds both answers");
-  EXPECT_EQ(assessed(claim, open, true).finding, Finding::undecided);
-  EXPECT_EQ(assessed(claim, false, open).finding, Finding::undecided);
-  EXPECT_EQ(assessed(claim, true, open).finding, Finding::holds);
+  EXPECT_EQ(assessed(claim, open, as_corrected(true)).finding, Finding::undecided);
+  EXPECT_EQ(assessed(claim, false, as_corrected(open)).finding, Finding::undecided);
+  EXPECT_EQ(assessed(claim, false, in_truth(open)).finding, Finding::does_not_hold);
+  EXPECT_EQ(assessed(claim, true, as_corrected(open)).finding, Finding::holds);
 }
 
 TEST(Evidence, TooFewRunsAreUndecided) {

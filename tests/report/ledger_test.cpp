@@ -136,6 +136,18 @@ TEST(LedgerPage, CountsTheThesisApart) {
   EXPECT_HAS(page, "Entries skipped: 1.");
 }
 
+TEST(LedgerPage, CountsAppendicesAfterTheChapters) {
+  Claim claim = example()[0].claims[0];
+  std::vector<LedgerEntry> entries(1);
+  for (const char* section : {"C.4", "7.2", "A.2.7"}) {
+    claim.source = ClaimSource{section, "1", "words"};
+    entries[0].claims.push_back(claim);
+  }
+  const std::string page = ledger_markdown(entries);
+  EXPECT_LT(page.find("| Chapter 7 |"), page.find("| Appendix A |"));
+  EXPECT_LT(page.find("| Appendix A |"), page.find("| Appendix C |"));
+}
+
 TEST(LedgerPage, BeginsWithHeadlinesAndErrata) {
   const std::string page = ledger_markdown(example());
   EXPECT_HAS(page, "1. It is steady. ([3.1-two](#31-two))\n");

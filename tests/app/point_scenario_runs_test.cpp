@@ -128,10 +128,10 @@ TEST(PointScenarioRun, NearestNeighborAssociatesCorrectlyOnThePlane) {
 
 /// Thesis Section 6.3.1 from near the nominal start: a point enters the map with sigma / depth of 0.3 at most.
 TEST(PointScenarioRun, DepthLinesBecomePointsOfKnownDepth) {
-  Assembly assembly = assemble(
-      load_scenario("free-camera-as-printed",
-                    {"run.duration_s=12", "plant.sigma_start_position_m=0.02", "decision.gaze=constant-rate",
-                     "plant.sigma_start_height_m=0.02", "plant.sigma_start_heading_rad=0.02"}));
+  const std::vector<std::string> sets{"run.duration_s=12", "decision.gaze=constant-rate",
+                                      "plant.sigma_start_position_m=0.02", "plant.sigma_start_height_m=0.02",
+                                      "plant.sigma_start_heading_rad=0.02"};
+  Assembly assembly = assemble(load_scenario("free-camera-as-printed", sets));
   std::map<std::int64_t, double> entered;  // largest sigma over distance
   std::size_t most_lines = 0;
   Snapshot last;

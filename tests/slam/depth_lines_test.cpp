@@ -22,7 +22,7 @@ namespace {
 
 using Points = std::map<std::int64_t, Eigen::Vector3d>;
 using Method = DataAssociationSettings::Method;
-constexpr double sigma_px = 2, speed_m_s = 0.3, dt = 0.05;
+constexpr double line_sigma_px = 2, speed_m_s = 0.3, dt = 0.05;
 
 /// A camera that moves to the right, along x, and looks along z.
 CameraState camera_at_start() {
@@ -36,7 +36,7 @@ EstimatorSettings settings_with_lines(Method method = Method::known) {
   EstimatorSettings s;
   s.bodies.push_back(body_with_sensor(FreeCameraMotion{}, CameraSensor{}, camera_at_start(),
                                       SmallVector::Constant(12, 1e-4), SmallVector::Constant(6, 1e-3),
-                                      Eigen::Vector2d::Constant(sigma_px)));
+                                      Eigen::Vector2d::Constant(line_sigma_px)));
   s.depth_lines = DepthLineSettings{};
   s.association = {.method = method,
                    .gate_probability = 0.9999,
@@ -62,7 +62,7 @@ class Sliding {
     const bool by_identity = estimator.settings().association.method == Method::known;
     for (const auto& [id, point] : points_) {
       const auto at = camera_.project(PointLandmark::in_camera<double>(truth_, point));
-      const Eigen::Vector2d noise(sigma_px * random_.normal(), sigma_px * random_.normal());
+      const Eigen::Vector2d noise(line_sigma_px * random_.normal(), line_sigma_px * random_.normal());
       if (!at || !camera_.contains(at->pixel) || hidden.count(id) > 0) continue;
       const bool identified = by_identity || estimator.settings().anchors.contains(id);
       body.landmarks.push_back({identified ? id : Detection::unknown, at->pixel + noise});

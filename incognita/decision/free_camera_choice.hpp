@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,15 +19,17 @@ class FreeCameraChoice final : public BodyChoice {
   FreeCameraChoice(const DecisionSettings& settings, double sigma_acceleration_m_s2,
                    double sigma_angular_acceleration_rad_s2, std::uint64_t seed, std::size_t who = 0);
 
-  void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation, const Tick& tick,
-              BodyGoal& goal) override;
+  void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,
+              const Surroundings& surroundings, const Tick& tick, BodyGoal& goal) override;
   void forget() override;
   void state(StateArchive& archive) override;
   const std::vector<std::string>& names() const override { return choice_.names(); }
 
  private:
+  std::optional<double> wanted_heading(const CameraState& camera, const Surroundings& surroundings,
+                                       const Tick& tick);
   void turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
-            const Expectation& expectation, const Tick& tick);
+            const Expectation& expectation, std::optional<double> wanted_rad, const Tick& tick);
 
   DecisionSettings settings_;
   Translations translations_;

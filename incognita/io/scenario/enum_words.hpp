@@ -94,6 +94,9 @@ inline constexpr auto enum_words<DecisionSettings::Strategy> =
         {{DecisionSettings::Strategy::mutual_information, "mutual-information"},
          {DecisionSettings::Strategy::random, "random"},
          {DecisionSettings::Strategy::fixed_path, "fixed-path"},
+         {DecisionSettings::Strategy::lawn_mower, "lawn-mower"},
+         {DecisionSettings::Strategy::wall_follower, "wall-follower"},
+         {DecisionSettings::Strategy::frontier, "frontier"},
          {DecisionSettings::Strategy::none, "none"}});
 /// Metrics that compare actions; the Fisher traces only compare camera rotations.
 template <>
@@ -110,6 +113,7 @@ inline constexpr auto enum_words<DecisionSettings::Gaze> = std::to_array<EnumWor
     {{DecisionSettings::Gaze::swing, "swing"},
      {DecisionSettings::Gaze::hold, "hold"},
      {DecisionSettings::Gaze::constant_rate, "constant-rate"},
+     {DecisionSettings::Gaze::outward, "outward"},
      {DecisionSettings::Gaze::mutual_information, "mutual-information"},
      {DecisionSettings::Gaze::fisher, "fisher"},
      {DecisionSettings::Gaze::fisher_given_state, "fisher-given-state"}});

@@ -132,6 +132,8 @@ int Approach::choose(const RuleInput& now, const std::vector<bool>& allowed, con
       least = cost, best = a, chosen.to = to;
   }
   if (mobility_.arrives) under_way_ = chosen;
+  // What keeps it where it is may lie beside the way that it did not try
+  if (best == stay && !stops_.empty()) stops_.erase(stops_.begin());
   return best;
 }
 

@@ -8,7 +8,7 @@
 namespace incognita {
 namespace {
 
-constexpr int patience_in_space = 8, patience_driving = 25;  // a vehicle may have to turn round first
+constexpr int patience_in_space = 12, patience_driving = 25;  // a vehicle may have to turn round first
 
 }  // namespace
 

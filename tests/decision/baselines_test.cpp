@@ -194,7 +194,7 @@ TEST(WallFollower, ACameraStaysAtItsDistanceClosesItsRoundAndFacesTheWall) {
   }
   EXPECT_GT(rounds(e.path), 1.1);
   const auto [least, most] = distances_from_sides(e.path, 30);
-  EXPECT_GT(least, 0.5 - 0.15 - 1e-9) << "half a step";
+  EXPECT_GT(least, 0.5 - 0.3) << "a step";
   EXPECT_LT(most, 0.5 + 0.3) << "a step, where it cuts a corner";
   EXPECT_GT(facing, ticks / 3) << "it turns by 0.2 rad/s at the corners";
   EXPECT_LT((e.path.back().z() - 1.3), 0.16);
@@ -205,8 +205,8 @@ TEST(WallFollower, ACameraWithATurningGazeStaysNearItsDistance) {
   e.run(90);
   EXPECT_GT(rounds(e.path), 1);
   const auto [least, most] = distances_from_sides(e.path, 30);
-  EXPECT_GT(least, 0.5 - 0.3);
-  EXPECT_LT(most, 0.5 + 0.3) << "a step";
+  EXPECT_GT(least, 0.5 - 0.35);
+  EXPECT_LT(most, 0.5 + 0.35) << "about a step";
 }
 
 TEST(WallFollower, AVehicleClosesItsRound) {
@@ -221,7 +221,7 @@ TEST(WallFollower, AVehicleClosesItsRound) {
 TEST(WallFollower, ACameraGoesAroundABoxThatItCannotMeasure) {
   Explorer e(settings_for(Strategy::wall_follower, Gaze::outward));
   e.solid = [](const Eigen::Vector3d& p) { return p.y() > 1.5 && std::abs(p.x()) < 0.5; };
-  e.run(100);
+  e.run(90);
   EXPECT_GT(rounds(e.path), 1.1);
 }
 
@@ -361,25 +361,27 @@ TEST(Approach, AVehicleTurnsAwayFromWhatItsSensorsRead) {
   EXPECT_NE(chosen({{0, 0.1, 0.8}, {0.2, 0.1, 0.8}}), "stay");
 }
 
-TEST(Approach, GoesAroundWhereItWasStopped) {
-  Mobility can;
+TEST(Approach, RemembersWhereItWasStopped) {
   const Translations steps(seven_translations(0.3), 1, growth_over(1, 0.3, 0.3), {});
   const std::vector<bool> allowed(7, true);
-  Approach approach(can);
+  Approach approach(Mobility{});
   const Eigen::Vector3d to(1, 0, 0);
   const BlockVector state = camera_at({0, 0, 0}, 0);
+  const RuleInput now{state, steps, {}, 0};
   const auto choose = [&] {
-    const RuleInput now{state, steps, {}, 0};
-    approach.update(now);
-    return steps
-        .actions()[static_cast<std::size_t>(
-            approach.choose(now, allowed, [&](const BlockVector& x) { return approach.time_to_s(x, to); }))]
-        .name;
+    const auto action =
+        approach.choose(now, allowed, [&](const BlockVector& x) { return approach.time_to_s(x, to); });
+    return steps.actions()[static_cast<std::size_t>(action)].name;
   };
+  approach.update(now);
   EXPECT_EQ(choose(), "go_forward");
-  EXPECT_NE(choose(), "go_forward") << "it did not get there";
+  EXPECT_TRUE(approach.is_clear({0.3, 0, 0}));
+  approach.update(now);  // it is where it was
   EXPECT_FALSE(approach.is_clear({0.3, 0, 0}));
   EXPECT_GT((approach.clear_point({0.4, 0, 0}, {0.4, 3, 0}) - Eigen::Vector3d(0.3, 0, 0)).norm(), 0.299);
+  EXPECT_EQ(choose(), "stay") << "the others lead away";
+  approach.update(now);
+  EXPECT_EQ(choose(), "go_forward") << "it may have been an error of the estimate";
 }
 
 TEST(Baselines, RefuseWhereTheyCannotWork) {

@@ -15,7 +15,7 @@ foreach(file ${browser_tests})
   add_test(NAME web.browser.${name} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/web/browser/check
            $<TARGET_FILE:incognita_program> ${CMAKE_CURRENT_BINARY_DIR}/web ${file})
   # One at a time: they share a folder, and measure what a browser with a software renderer can do
-  set_tests_properties(web.browser.${name} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300 LABELS "web;browser"
+  set_tests_properties(web.browser.${name} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 900 LABELS "web;browser"
                        RESOURCE_LOCK browser PROCESSORS 2)
 endforeach()
 

@@ -10,7 +10,7 @@ import { until } from './harness/waiting.mjs';
 
 /** What must be equal when the commands of a run are repeated. */
 const FILES = ['estimate.tum', 'map.csv', 'series.csv', 'interventions.jsonl', 'run.mcap'];
-const SCENARIO = ['--seed', '3', '--duration', '30'];
+const SCENARIO = ['--seed', '3', '--duration', '20'];
 
 const interventions = (folder) =>
   readFileSync(join(folder, 'interventions.jsonl'), 'utf8').trim().split('\n').map((line) => JSON.parse(line));
@@ -32,7 +32,7 @@ test('a displacement makes the run lost, and the commands can be repeated', asyn
   const banner = await page.locator('.lost-banner').innerText();
   await page.getByLabel('speed').first().selectOption('0');
   assert.match(banner, /^Lost: \d+ frames in a row with fewer than 3 features matched; \d+ of \d+ features matched$/);
-  await page.locator('.loop-state[data-state=ended]').waitFor();
+  await page.locator('.loop-state[data-state=ended]').waitFor({ timeout: 240_000 });  // lost, each frame is searched for the map
 
   assert.deepEqual(interventions(run.folder).map(({ intervention }) => intervention),
     [{ type: 'displace', body: 1, by_m: [0.7, 0, 0], turn_rad: 1 }]);

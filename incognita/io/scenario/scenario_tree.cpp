@@ -101,7 +101,6 @@ void decision(SettingReader& r, Scenario& s, bool accelerates) {
 void gaze(SettingReader& r, Scenario& s) {
   r.section("decision");
   using D = DecisionSettings;
-  if (s.decision.strategy == D::Strategy::wall_follower) s.decision.gaze = D::Gaze::outward;
   r.some(s.decision, &D::gaze, &D::gaze_rate_rad_s, &D::gaze_period_s, &D::gaze_ahead_s);
 }
 

@@ -272,8 +272,10 @@ ActiveSettings active_settings_of(const Scenario& s) {
   ActiveSettings out{s.decision, s.exploration};
   const ControllerSettings& can = s.controller;
   if (s.has_carried_camera() || s.is_camera_vehicle())
-    out.carrier = CarrierSettings{s.mount, can.max_speed_m_s, can.max_turn_rate_rad_s};
+    out.carrier =
+        CarrierSettings{s.mount, can.max_speed_m_s, can.max_turn_rate_rad_s, can.avoidance_distance_m};
   out.tick_s = 1 / s.run.rate_hz;
+  if (s.operator_settings.holds) out.delay_s = s.operator_settings.delay_s;
   out.seed = static_cast<std::uint64_t>(s.run.seed);
   return out;
 }

@@ -22,13 +22,11 @@ int first_where(const Actions& actions, const IsStay& is_stay) {
   return static_cast<int>(at - actions.begin());
 }
 
-/// Turned about the world's vertical, to the left.
-Eigen::Vector4d turned(const Eigen::Vector4d& world_from_camera, double left_rad) {
-  return quaternion_product<double>(quaternion_exp<double>(Eigen::Vector3d(0, 0, left_rad)),
-                                    world_from_camera);
-}
-
 }  // namespace
+
+Eigen::Vector4d turned_left(const Eigen::Vector4d& world_from_camera, double rad) {
+  return quaternion_product<double>(quaternion_exp<double>(Eigen::Vector3d(0, 0, rad)), world_from_camera);
+}
 
 int find_stay(const std::vector<Translation>& actions) {
   return first_where(actions, [](const Translation& a) { return a.displacement_m.isZero(); });
@@ -69,7 +67,7 @@ ActionOutcome Translations::after(const BlockVector& state, int action) const {
   const Eigen::Vector4d gaze = state.segment<4>(3);
   const Eigen::AngleAxisd heading(heading_of(gaze), Eigen::Vector3d::UnitZ());
   out.state.head<3>() += heading * actions_[static_cast<std::size_t>(action)].displacement_m;
-  out.state.segment<4>(3) = turned(gaze, gaze_rate_rad_s_ * period_s_);
+  out.state.segment<4>(3) = turned_left(gaze, gaze_rate_rad_s_ * period_s_);
   out.state.tail<6>().setZero();
   if (action != stay_) out.outside_m = bounds_.outside_m(out.state.head<3>());
   return out;
@@ -81,7 +79,7 @@ Turns::Turns(double rate_rad_s, double ahead_s, const Growth& growth)
 ActionOutcome Turns::after(const BlockVector& state, int action) const {
   ActionOutcome out{state, growth_.A, growth_.N};
   out.state.head<3>() += state.segment<3>(7) * ahead_s_;
-  out.state.segment<4>(3) = turned(state.segment<4>(3), rate_of(action) * ahead_s_);
+  out.state.segment<4>(3) = turned_left(state.segment<4>(3), rate_of(action) * ahead_s_);
   return out;
 }
 
@@ -114,11 +112,11 @@ Eigen::Vector2d SpeedChanges::after(const Eigen::Vector2d& speeds, int action) c
           std::clamp(wished.y(), -max_turn_rate_rad_s_, max_turn_rate_rad_s_)};
 }
 
-ActionOutcome SpeedChanges::after(const BlockVector& state, int action) const {
-  ActionOutcome out{state, growth_.A, growth_.N};
+BlockVector SpeedChanges::along(const BlockVector& state, int action, double s) const {
+  BlockVector out = state;
   const Eigen::Vector2d speeds = after(Eigen::Vector2d(state.tail<2>()), action);
   // The axle's center moves along an arc in the plane of the body axes (x ahead, y left, z normal)
-  const double turn = speeds.y() * period_s_, way = speeds.x() * period_s_;
+  const double turn = speeds.y() * s, way = speeds.x() * s;
   const double half = turn / 2, chord = std::abs(half) < 1e-8 ? way : way * std::sin(half) / half;
   const Eigen::Vector3d gone(chord * std::cos(half), chord * std::sin(half), 0);
   const Eigen::Matrix3d turned = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -126,10 +124,15 @@ ActionOutcome SpeedChanges::after(const BlockVector& state, int action) const {
   const Eigen::Matrix3d body_from_camera = mount_.body_from_camera();
   const Eigen::Matrix3d world_from_body = world_from_camera * body_from_camera.transpose();
   const Eigen::Vector3d lever = mount_.lever();
-  out.state.head<3>() += world_from_body * (gone + turned * lever - lever);
-  out.state.segment<4>(3) = quaternion_from_matrix(world_from_body * turned * body_from_camera);
-  out.state.tail<2>() = speeds;
-  out.outside_m = bounds_.outside_m(out.state.head<3>());  // also for "stay", which keeps driving
+  out.head<3>() += world_from_body * (gone + turned * lever - lever);
+  out.segment<4>(3) = quaternion_from_matrix(world_from_body * turned * body_from_camera);
+  out.tail<2>() = speeds;
+  return out;
+}
+
+ActionOutcome SpeedChanges::after(const BlockVector& state, int action) const {
+  ActionOutcome out{along(state, action, period_s_), growth_.A, growth_.N};
+  out.outside_m = outside_m(out.state);  // also for "stay", which keeps driving
   return out;
 }
 

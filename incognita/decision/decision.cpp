@@ -9,6 +9,7 @@
 #include "incognita/decision/free_camera_choice.hpp"
 #include "incognita/decision/ground_choice.hpp"
 #include "incognita/decision/image_expectation.hpp"
+#include "incognita/decision/plan/planned_choice.hpp"
 #include "incognita/decision/point_expectation.hpp"
 #include "incognita/slam/mapper/entropy_values.hpp"
 
@@ -19,9 +20,20 @@ std::unique_ptr<BodyChoice> choice_of(const ActiveSettings& s, const BodyModel& 
   if (!traits_of(body.motion).in_space())
     return std::make_unique<GroundChoice>(s.decision, body, s.tick_s, s.seed, who);
   const double sigma_m_s2 = body.input_sigmas[0], sigma_rad_s2 = body.input_sigmas[3];
+  if (s.decision.strategy == DecisionSettings::Strategy::frontier && s.exploration.expected_landmarks == 0)
+    throw std::invalid_argument(
+        "exploration.expected_landmarks: must be more than 0 with decision.strategy = `frontier`, which goes to "
+        "unseen cells of the exploration volume");
+  if (s.decision.strategy == DecisionSettings::Strategy::plan) {
+    if (s.carrier)
+      return std::make_unique<PlannedCarrierChoice>(
+          s.decision, *s.carrier, mobility_of(s.decision, *s.carrier), sigma_m_s2, sigma_rad_s2);
+    return std::make_unique<PlannedCameraChoice>(s.decision, free_mobility(s.decision, s.delay_s), sigma_m_s2,
+                                                 sigma_rad_s2);
+  }
   if (s.carrier)
     return std::make_unique<CarrierChoice>(s.decision, *s.carrier, sigma_m_s2, sigma_rad_s2, s.seed, who);
-  return std::make_unique<FreeCameraChoice>(s.decision, sigma_m_s2, sigma_rad_s2, s.seed, who);
+  return std::make_unique<FreeCameraChoice>(s.decision, sigma_m_s2, sigma_rad_s2, s.seed, who, s.delay_s);
 }
 
 MapExpectation::OfBody sensors_of(const SlamEstimator& estimator, std::size_t which,
@@ -53,6 +65,8 @@ Decision::Decision(std::vector<std::unique_ptr<BodyChoice>> choices, MapExpectat
   if (choices_.empty())
     throw std::invalid_argument("a decision needs one choice per body, and there is none");
   goal_.bodies.resize(choices_.size());
+  if (exploration.placed == ExplorationSettings::Placed::on_sides)
+    sides_.emplace(exploration, exploration.side_cell_m, exploration.patience_s);
 }
 
 void Decision::forget(std::size_t body) {
@@ -94,12 +108,30 @@ void Decision::explore(const Estimate& estimate, const Tick& tick) {
     exploration_.update(
         [&](const Eigen::Vector3d& position) { return expectation_.in_view(i, state, position); }, share,
         estimate.mapped_count());
+    if (sides_)
+      sides_->see([&](const Eigen::Vector3d& position) { return expectation_.in_view(i, state, position); },
+                  state.head<3>(), share);
   }
+  if (sides_) sides_->compare(estimate);
   goal_.coverage = exploration_.coverage();
   goal_.exploration = exploration_.volume();
 }
 
-Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& now) {
+Surroundings Decision::surroundings_of(std::size_t body, const Estimate& estimate,
+                                       const Observation& observation) const {
+  Surroundings around;
+  around.estimate = &estimate;
+  around.expected = sides_ ? sides_->count() : exploration_.settings().expected_landmarks;
+  around.expected_var_m2 = exploration_.settings().variance_expected_m2;
+  if (exploration_.settings().expected_landmarks > 0) around.seen = exploration_.volume();
+  around.in_view = [this, body](const BlockVector& state, const Eigen::Vector3d& position) {
+    return expectation_.in_view(body, state, position);
+  };
+  around.obstacles = body_of(observation, body).proximity_ranges;
+  return around;
+}
+
+Goal Decision::choose(const Estimate& estimate, const Observation& observation, const Tick& now) {
   const Tick tick{now.frame, now.t, since_last_call(now), now.whole_us};
   if (!estimate.started) {
     for (std::size_t i = 0; i < choices_.size(); ++i) forget(i);
@@ -112,8 +144,10 @@ Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& 
       forget(i);
       continue;
     }
-    expectation_.prepare(estimate, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
-    choices_[i]->choose(estimate.belief, estimate.bodies[i], expectation_, tick, goal_.bodies[i]);
+    expectation_.prepare(estimate, i, sides_ ? sides_->expected() : exploration_.expected(),
+                         exploration_.settings().variance_expected_m2);
+    choices_[i]->choose(estimate.belief, estimate.bodies[i], expectation_,
+                        surroundings_of(i, estimate, observation), tick, goal_.bodies[i]);
     decided |= goal_.bodies[i].decided;
   }
   if (entropy_ && decided && exploration_.settings().expected_landmarks > 0 &&

@@ -23,6 +23,7 @@ class StateArchive;
 struct ExpectedLandmark {
   int index = 0;  ///< identity, constant while it is expected
   Eigen::Vector3d position{0, 0, 0};
+  Eigen::Vector3d normal{0, 0, 0};  ///< of the surface that it is expected on, inward; zero: on none
 };
 
 class Exploration {
@@ -46,7 +47,6 @@ class Exploration {
   void state(StateArchive& archive);
 
  private:
-  Eigen::Vector3d center_of(int cell) const;
   int cell_of(const Eigen::Vector3d& position) const;
   bool seen(int cell) const { return seen_s_[static_cast<std::size_t>(cell)] >= settings_.seen_s; }
   void move_elsewhere(ExpectedLandmark& landmark);

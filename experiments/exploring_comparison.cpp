@@ -53,7 +53,7 @@ ExperimentSettings half_of(ExperimentSettings settings) {
   return settings;
 }
 
-bool diverged(const Run& run) { return run.lost || !(run.position_rms_m <= 0.5); }
+bool diverged(const Run& run) { return run.outcome.diverged.value_or(true); }
 
 int diverged_of(const Runs& runs) { return static_cast<int>(std::ranges::count_if(runs, diverged)); }
 

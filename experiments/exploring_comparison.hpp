@@ -59,7 +59,7 @@ Interval times(const Runs& theirs, const Runs& ours, const Of& of) {
   return {std::exp(log.value), std::exp(log.low), std::exp(log.high)};
 }
 
-/// Lost at the end, or with a position error above 0.5 m (rms).
+/// Lost at the end, or with a position error above 0.5 m (rms): OutcomeMeasures::diverged.
 bool diverged(const Run& run);
 int diverged_of(const Runs& runs);
 

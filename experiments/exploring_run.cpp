@@ -10,6 +10,7 @@
 #include "incognita/app/loop/association_score.hpp"
 #include "incognita/record/snapshot/series.hpp"
 #include "incognita/record/summary/exploration_summary.hpp"
+#include "incognita/record/summary/run_info.hpp"
 
 namespace incognita::exploring {
 namespace {
@@ -27,12 +28,14 @@ Decision decision_of(const Snapshot& s) {
 /// Gathers a run from its snapshots.
 class Gathered {
  public:
+  explicit Gathered(const RunInfo& info) : outcome_(same_frame_as_truth(info)) {}
+
   void add(const Snapshot& s) {
     summary_.add(s);
+    outcome_.add(s);
     run_.map = s.landmarks;
     const SnapshotBody& body = s.bodies.at(0);
     run_.actions = body.decision.actions;
-    run_.lost = s.status.state == TrackingState::lost;
     note_returned(s);
     if (body.decision.decided && body.decision.chosen >= 0) {
       run_.decisions.push_back(decision_of(s));
@@ -44,7 +47,8 @@ class Gathered {
 
   Run finish() {
     const auto ticks = static_cast<double>(run_.instants.size());
-    run_.position_rms_m = std::sqrt(squares_ / ticks);
+    run_.outcome = outcome_.measures();
+    run_.position_rms_m = run_.outcome.position_rms_m.value_or(std::nan(""));
     run_.nees = nees_ / ticks;
     run_.coverage = summary_.coverage().value_or(std::nan(""));
     run_.entropy_extended = summary_.entropy_extended().value_or(std::nan(""));
@@ -59,7 +63,6 @@ class Gathered {
     Instant i{s.tick.t,  *body.truth,         body.estimate, body.covariance,
               s.entropy, mapped_landmarks(s), s.matched};
     if (body.velocity) i.velocity = body.velocity->head<3>();
-    squares_ += (i.truth.position - i.estimate.position).squaredNorm();
     nees_ += pose_nees(pose_error(i.truth, i.estimate), i.covariance).value_or(std::nan(""));
     run_.instants.push_back(std::move(i));
   }
@@ -76,14 +79,15 @@ class Gathered {
 
   Run run_;
   ExplorationSummary summary_;
+  OutcomeSummary outcome_;
   std::map<std::int64_t, double> matched_t_s_;  ///< when last, by landmark
   int returned_ = 0;                            ///< since the last decision
   double longest_away_s_ = 0;
-  double squares_ = 0, nees_ = 0;
+  double nees_ = 0;
 };
 
 Run gather(Assembly assembly) {
-  Gathered gathered;
+  Gathered gathered(assembly.info);
   std::optional<AssociationScore> score;
   if (assembly.association_truth) score.emplace(assembly.association_truth);
   const auto publish = [&](const Snapshot& s) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "incognita/record/snapshot/snapshot.hpp"
+#include "incognita/record/summary/outcome_summary.hpp"
 
 namespace incognita {
 
@@ -48,7 +49,7 @@ struct Run {
   std::vector<std::string> actions;   ///< names
   std::vector<SnapshotLandmark> map;  ///< at the end, anchors too
   std::vector<double> located_t_s;    ///< of landmarks in the order in which they were located (record/)
-  bool lost = false;                  ///< at the end
+  OutcomeMeasures outcome;
   std::int64_t matches_right = 0,
                matches_wrong = 0;  ///< without those of anchors; 0 where identities are given
   double position_rms_m = 0, nees = 0, coverage = 0;

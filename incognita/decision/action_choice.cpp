@@ -45,11 +45,12 @@ std::string stream_of(const std::string& name, std::size_t who) {
 }  // namespace
 
 ActionChoice::ActionChoice(const DecisionSettings& settings, std::vector<std::string> names,
-                           std::uint64_t seed, int position_errors, std::size_t who)
+                           std::uint64_t seed, int position_errors, std::size_t who, const Mobility& mobility)
     : settings_(settings),
       names_(std::move(names)),
       sequence_(read_sequence(settings.sequence, names_)),
       look_ahead_(look_ahead_of(settings, position_errors)),
+      rule_(make_rule(settings, mobility)),
       random_(seed, stream_of("decision.random", who)),
       order_stream_(seed, stream_of("decision.order", who)),
       scores_(names_.size(), 0),
@@ -64,19 +65,26 @@ ActionChoice::ActionChoice(const DecisionSettings& settings, std::vector<std::st
 }
 
 void ActionChoice::forget() {
+  if (rule_) rule_->forget();
   chosen_ = -1;
   scored_ = 0;
   std::fill(scores_.begin(), scores_.end(), 0);
 }
 
 bool ActionChoice::choose(const AnyBelief& belief, BlockId vehicle, const BlockVector& state,
-                          const ActionSet& action_set, const Expectation& expectation, const Tick& tick) {
+                          const ActionSet& action_set, const Expectation& expectation, const Tick& tick,
+                          const Surroundings& surroundings) {
   const bool due = chosen_ < 0 || has_come(end_t_, tick.t);
   if (due || scores_between_decisions(settings_)) score(belief, vehicle, state, action_set, expectation);
   if (!due) return false;
-  chosen_ = compare(state, action_set);
+  chosen_ = compare({state, action_set, surroundings, tick.t});
   end_t_ = tick.t + settings_.period_s;
   return true;
+}
+
+std::optional<double> ActionChoice::gaze_rad(const BlockVector& state, const ActionSet& action_set,
+                                             const Tick& tick, const Surroundings& surroundings) {
+  return rule_ ? rule_->gaze_rad({state, action_set, surroundings, tick.t}) : std::nullopt;
 }
 
 /// Scores are also computed for the strategies that do not use them, since they are recorded; for `none` at decisions only.
@@ -104,19 +112,23 @@ void ActionChoice::allow(const BlockVector& state, const ActionSet& action_set) 
   for (std::size_t a = 0; a < outside_m_.size(); ++a) allowed_[a] = outside_m_[a] <= least;
 }
 
-int ActionChoice::compare(const BlockVector& state, const ActionSet& action_set) {
-  allow(state, action_set);
+int ActionChoice::compare(const RuleInput& now) {
+  allow(now.state, now.action_set);
   switch (settings_.strategy) {
     case DecisionSettings::Strategy::mutual_information:
-      return most_informative(action_set);
+      return most_informative(now.action_set);
     case DecisionSettings::Strategy::fixed_path:
-      return next_of_sequence(action_set);
+      return next_of_sequence(now.action_set);
+    case DecisionSettings::Strategy::lawn_mower:
+    case DecisionSettings::Strategy::wall_follower:
+    case DecisionSettings::Strategy::frontier:
+      return rule_->choose(now, allowed_);
     case DecisionSettings::Strategy::random:
       return any_allowed();
     case DecisionSettings::Strategy::none:
       break;
   }
-  return action_set.stay();
+  return now.action_set.stay();
 }
 
 int ActionChoice::most_informative(const ActionSet& action_set) const {

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "incognita/decision/action_rule.hpp"
 #include "incognita/decision/look_ahead.hpp"
 #include "incognita/decision/settings.hpp"
 #include "incognita/math/random.hpp"
@@ -18,13 +21,17 @@ class ActionChoice {
  public:
   /// `names`: names of the actions, in the order of the action set. `position_errors`: number of leading
   /// error components of the vehicle that are its position. `who`: index of the vehicle in its team; selects
-  /// the random streams. Throws std::invalid_argument for invalid settings; the message names the setting.
+  /// the random streams. `mobility`: for the strategies that are rules. Throws std::invalid_argument for
+  /// invalid settings; the message names the setting.
   ActionChoice(const DecisionSettings& settings, std::vector<std::string> names, std::uint64_t seed,
-               int position_errors = 3, std::size_t who = 0);
+               int position_errors = 3, std::size_t who = 0, const Mobility& mobility = {});
 
   /// Scores the actions; compares them once per period. Returns true if an action was chosen in this tick.
   bool choose(const AnyBelief& belief, BlockId vehicle, const BlockVector& state, const ActionSet& action_set,
-              const Expectation& expectation, const Tick& tick);
+              const Expectation& expectation, const Tick& tick, const Surroundings& surroundings = {});
+  /// The heading that the strategy wants the camera to turn to in this tick, rad; none if it does not choose it.
+  std::optional<double> gaze_rad(const BlockVector& state, const ActionSet& action_set, const Tick& tick,
+                                 const Surroundings& surroundings);
 
   /// To be called when tracking is lost: the next tick compares all actions again.
   void forget();
@@ -42,7 +49,7 @@ class ActionChoice {
   void score(const AnyBelief& belief, BlockId vehicle, const BlockVector& state, const ActionSet& action_set,
              const Expectation& expectation);
   void allow(const BlockVector& state, const ActionSet& action_set);
-  int compare(const BlockVector& state, const ActionSet& action_set);
+  int compare(const RuleInput& now);
   int most_informative(const ActionSet& action_set) const;
   int any_allowed();
   int next_of_sequence(const ActionSet& action_set);
@@ -51,6 +58,7 @@ class ActionChoice {
   std::vector<std::string> names_;
   std::vector<int> sequence_;
   LookAhead look_ahead_;
+  std::unique_ptr<ActionRule> rule_;  ///< null if the strategy is none
   RandomStream random_, order_stream_;
   std::vector<double> scores_;
   std::vector<bool> allowed_;

@@ -22,13 +22,11 @@ int first_where(const Actions& actions, const IsStay& is_stay) {
   return static_cast<int>(at - actions.begin());
 }
 
-/// Turned about the world's vertical, to the left.
-Eigen::Vector4d turned(const Eigen::Vector4d& world_from_camera, double left_rad) {
-  return quaternion_product<double>(quaternion_exp<double>(Eigen::Vector3d(0, 0, left_rad)),
-                                    world_from_camera);
-}
-
 }  // namespace
+
+Eigen::Vector4d turned_left(const Eigen::Vector4d& world_from_camera, double rad) {
+  return quaternion_product<double>(quaternion_exp<double>(Eigen::Vector3d(0, 0, rad)), world_from_camera);
+}
 
 int find_stay(const std::vector<Translation>& actions) {
   return first_where(actions, [](const Translation& a) { return a.displacement_m.isZero(); });
@@ -69,7 +67,7 @@ ActionOutcome Translations::after(const BlockVector& state, int action) const {
   const Eigen::Vector4d gaze = state.segment<4>(3);
   const Eigen::AngleAxisd heading(heading_of(gaze), Eigen::Vector3d::UnitZ());
   out.state.head<3>() += heading * actions_[static_cast<std::size_t>(action)].displacement_m;
-  out.state.segment<4>(3) = turned(gaze, gaze_rate_rad_s_ * period_s_);
+  out.state.segment<4>(3) = turned_left(gaze, gaze_rate_rad_s_ * period_s_);
   out.state.tail<6>().setZero();
   if (action != stay_) out.outside_m = bounds_.outside_m(out.state.head<3>());
   return out;
@@ -81,7 +79,7 @@ Turns::Turns(double rate_rad_s, double ahead_s, const Growth& growth)
 ActionOutcome Turns::after(const BlockVector& state, int action) const {
   ActionOutcome out{state, growth_.A, growth_.N};
   out.state.head<3>() += state.segment<3>(7) * ahead_s_;
-  out.state.segment<4>(3) = turned(state.segment<4>(3), rate_of(action) * ahead_s_);
+  out.state.segment<4>(3) = turned_left(state.segment<4>(3), rate_of(action) * ahead_s_);
   return out;
 }
 

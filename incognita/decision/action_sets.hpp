@@ -39,6 +39,9 @@ struct WorldBounds {
   }
 };
 
+/// The orientation turned about the world's vertical, to the left.
+Eigen::Vector4d turned_left(const Eigen::Vector4d& world_from_camera, double rad);
+
 /// Index of the action without displacement or change. Throws std::invalid_argument if there is none, since
 /// it is the fallback when no action is allowed.
 int find_stay(const std::vector<Translation>& actions);

@@ -1,5 +1,6 @@
 #include "incognita/decision/actions.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -48,6 +49,12 @@ std::vector<Translation> seven_translations(double step_m) {
 
 std::vector<Translation> translations_of(const DecisionSettings& s) {
   return s.moves_m.empty() ? seven_translations(s.step_m) : named(s.moves_m);
+}
+
+double longest_m(const std::vector<Translation>& actions) {
+  double longest = 0;
+  for (const Translation& action : actions) longest = std::max(longest, action.displacement_m.norm());
+  return longest;
 }
 
 std::vector<Translation> named(const std::vector<Eigen::Vector3d>& displacements_m) {

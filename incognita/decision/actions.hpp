@@ -21,6 +21,9 @@ std::vector<Translation> seven_translations(double step_m);
 /// The translations of the settings; the seven of the thesis if the settings list none.
 std::vector<Translation> translations_of(const DecisionSettings& settings);
 
+/// Length of the longest, m.
+double longest_m(const std::vector<Translation>& actions);
+
 /// Names translations by their direction: those along an axis get the thesis' names, others their displacement.
 std::vector<Translation> named(const std::vector<Eigen::Vector3d>& displacements_m);
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "incognita/decision/action_rule.hpp"
 #include "incognita/decision/expectation.hpp"
 #include "incognita/math/saved_state/saved_part.hpp"
 #include "incognita/messages/goal.hpp"
@@ -17,7 +18,7 @@ class BodyChoice : public SavedPart {
   /// Updates the goal: scores the actions and, once per period, chooses the next one. `body`: with its block in
   /// `belief`.
   virtual void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,
-                      const Tick& tick, BodyGoal& goal) = 0;
+                      const Surroundings& surroundings, const Tick& tick, BodyGoal& goal) = 0;
   /// To be called when tracking is lost: the next tick compares all actions again.
   virtual void forget() = 0;
   /// Names of the actions, constant over a run.

@@ -17,6 +17,8 @@ struct CarrierSettings {
   Mount mount;
   double max_speed_m_s = 1;
   double max_turn_rate_rad_s = 1;
+  double clearance_m =
+      0;  ///< distance to keep from obstacles that are read, m; 0: they are left to the controller
 };
 
 class CarrierChoice final : public BodyChoice {
@@ -29,8 +31,8 @@ class CarrierChoice final : public BodyChoice {
 
   /// The speeds are those of `body.wheels`, from the encoders; without them, of the last command. Only the decision uses
   /// them, not the filter: thesis 6.4.2.
-  void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation, const Tick& tick,
-              BodyGoal& goal) override;
+  void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,
+              const Surroundings& surroundings, const Tick& tick, BodyGoal& goal) override;
   /// The commanded speeds are set to zero.
   void forget() override;
   void state(StateArchive& archive) override;

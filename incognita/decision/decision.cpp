@@ -19,9 +19,13 @@ std::unique_ptr<BodyChoice> choice_of(const ActiveSettings& s, const BodyModel& 
   if (!traits_of(body.motion).in_space())
     return std::make_unique<GroundChoice>(s.decision, body, s.tick_s, s.seed, who);
   const double sigma_m_s2 = body.input_sigmas[0], sigma_rad_s2 = body.input_sigmas[3];
+  if (s.decision.strategy == DecisionSettings::Strategy::frontier && s.exploration.expected_landmarks == 0)
+    throw std::invalid_argument(
+        "exploration.expected_landmarks: must be more than 0 with decision.strategy = `frontier`, which goes to "
+        "unseen cells of the exploration volume");
   if (s.carrier)
     return std::make_unique<CarrierChoice>(s.decision, *s.carrier, sigma_m_s2, sigma_rad_s2, s.seed, who);
-  return std::make_unique<FreeCameraChoice>(s.decision, sigma_m_s2, sigma_rad_s2, s.seed, who);
+  return std::make_unique<FreeCameraChoice>(s.decision, sigma_m_s2, sigma_rad_s2, s.seed, who, s.delay_s);
 }
 
 MapExpectation::OfBody sensors_of(const SlamEstimator& estimator, std::size_t which,
@@ -99,7 +103,17 @@ void Decision::explore(const Estimate& estimate, const Tick& tick) {
   goal_.exploration = exploration_.volume();
 }
 
-Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& now) {
+Surroundings Decision::surroundings_of(std::size_t body, const Observation& observation) const {
+  Surroundings around;
+  if (exploration_.settings().expected_landmarks > 0) around.seen = exploration_.volume();
+  around.in_view = [this, body](const BlockVector& state, const Eigen::Vector3d& position) {
+    return expectation_.in_view(body, state, position);
+  };
+  around.obstacles = body_of(observation, body).proximity_ranges;
+  return around;
+}
+
+Goal Decision::choose(const Estimate& estimate, const Observation& observation, const Tick& now) {
   const Tick tick{now.frame, now.t, since_last_call(now), now.whole_us};
   if (!estimate.started) {
     for (std::size_t i = 0; i < choices_.size(); ++i) forget(i);
@@ -113,7 +127,8 @@ Goal Decision::choose(const Estimate& estimate, const Observation&, const Tick& 
       continue;
     }
     expectation_.prepare(estimate, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
-    choices_[i]->choose(estimate.belief, estimate.bodies[i], expectation_, tick, goal_.bodies[i]);
+    choices_[i]->choose(estimate.belief, estimate.bodies[i], expectation_, surroundings_of(i, observation),
+                        tick, goal_.bodies[i]);
     decided |= goal_.bodies[i].decided;
   }
   if (entropy_ && decided && exploration_.settings().expected_landmarks > 0 &&

@@ -44,6 +44,7 @@ class Decision final : public Strategy {
  private:
   void forget(std::size_t body);
   void explore(const Estimate& estimate, const Tick& tick);
+  Surroundings surroundings_of(std::size_t body, const Observation& observation) const;
   double since_last_call(const Tick& tick);
 
   std::vector<std::unique_ptr<BodyChoice>> choices_;
@@ -60,6 +61,7 @@ struct ActiveSettings {
   ExplorationSettings exploration = {};
   std::optional<CarrierSettings> carrier = {};  ///< vehicles that carry the cameras; empty for free cameras
   double tick_s = 0.1;                          ///< duration of one input
+  double delay_s = 0;                           ///< after which an operator begins a chosen action
   int max_measurements = 1000;  ///< predicted measurements per point sensor; the most uncertain are kept
   std::uint64_t seed = 1;
 };

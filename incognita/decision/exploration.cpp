@@ -38,14 +38,6 @@ Exploration::Exploration(const ExplorationSettings& settings, std::uint64_t seed
   }
 }
 
-Eigen::Vector3d Exploration::center_of(int cell) const {
-  const int row = cell / cells_.x();
-  const Eigen::Vector3i which(cell % cells_.x(), row % cells_.y(), row / cells_.y());
-  const Eigen::Vector3d at = which.cast<double>();
-  const Eigen::Vector3d size = (settings_.max_m - settings_.min_m).array() / cells_.cast<double>().array();
-  return settings_.min_m + (at.array() + 0.5).matrix().cwiseProduct(size);
-}
-
 int Exploration::cell_of(const Eigen::Vector3d& position) const {
   const Eigen::Array3d share =
       (position - settings_.min_m).array() / (settings_.max_m - settings_.min_m).array();
@@ -81,7 +73,7 @@ void Exploration::mark_seen(const std::function<bool(const Eigen::Vector3d&)>& i
   const int unseen_before = unseen_cells_;
   for (int cell = 0; cell < static_cast<int>(seen_s_.size()); ++cell) {
     double& s = seen_s_[static_cast<std::size_t>(cell)];
-    if (s >= settings_.seen_s || !in_view(center_of(cell))) continue;
+    if (s >= settings_.seen_s || !in_view(center_of(*volume_, cell))) continue;
     s += dt;
     // Rounding of the sum of dt must not decide whether a cell needs one more frame
     if (s > settings_.seen_s * (1 - 1e-9)) s = settings_.seen_s, --unseen_cells_;

@@ -46,7 +46,6 @@ class Exploration {
   void state(StateArchive& archive);
 
  private:
-  Eigen::Vector3d center_of(int cell) const;
   int cell_of(const Eigen::Vector3d& position) const;
   bool seen(int cell) const { return seen_s_[static_cast<std::size_t>(cell)] >= settings_.seen_s; }
   void move_elsewhere(ExpectedLandmark& landmark);

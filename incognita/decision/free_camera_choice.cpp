@@ -1,5 +1,8 @@
 #include "incognita/decision/free_camera_choice.hpp"
 
+#include <algorithm>
+
+#include "incognita/math/angles.hpp"
 #include "incognita/models/motion/heading.hpp"
 
 namespace incognita {
@@ -12,6 +15,19 @@ Metric gaze_metric(Gaze gaze) {
   return gaze == Gaze::fisher_given_state ? Metric::fisher_given_state : Metric::state;
 }
 
+Mobility free_mobility(const DecisionSettings& s, double delay_s) {
+  const std::vector<Translation> actions = translations_of(s);
+  const bool climbs = std::ranges::any_of(actions, [](const auto& a) { return a.displacement_m.z() != 0; });
+  Mobility can;
+  can.axes = climbs ? 3 : 2;
+  can.step_m = longest_m(actions);
+  can.speed_m_s = can.step_m / s.period_s;
+  can.turn_rate_rad_s = s.gaze_rate_rad_s;
+  constexpr double soon = 0.4;  // of a period: half of the way takes half of the period
+  can.arrives = delay_s <= soon * s.period_s;
+  return can;
+}
+
 bool compares_turns(Gaze gaze) {
   return gaze == Gaze::mutual_information || gaze == Gaze::fisher || gaze == Gaze::fisher_given_state;
 }
@@ -20,14 +36,14 @@ bool compares_turns(Gaze gaze) {
 
 FreeCameraChoice::FreeCameraChoice(const DecisionSettings& s, double sigma_acceleration_m_s2,
                                    double sigma_angular_acceleration_rad_s2, std::uint64_t seed,
-                                   std::size_t who)
+                                   std::size_t who, double delay_s)
     : settings_(s),
       translations_(translations_of(s), s.period_s,
                     growth_over(s.period_s, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2),
                     {s.min_bound_m, s.max_bound_m}),
       turns_(s.gaze_rate_rad_s, s.gaze_ahead_s,
              growth_over(s.gaze_ahead_s, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2)),
-      choice_(s, names_of(translations_.actions()), seed, 3, who),
+      choice_(s, names_of(translations_.actions()), seed, 3, who, free_mobility(s, delay_s)),
       gaze_({gaze_metric(s.gaze), 1, turns_.count(), 3}) {}
 
 void FreeCameraChoice::forget() {
@@ -35,9 +51,11 @@ void FreeCameraChoice::forget() {
   looking_ = false;
 }
 
-/// Integrates the heading at the current rate; the rate is chosen anew every gaze period.
+/// Integrates the heading at the current rate; the rate is chosen anew every gaze period, or in every tick towards a wanted
+/// heading.
 void FreeCameraChoice::turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
-                            const Expectation& expectation, const Tick& tick) {
+                            const Expectation& expectation, std::optional<double> wanted_rad,
+                            const Tick& tick) {
   const bool first = !looking_;
   if (first) {
     heading_rad_ = heading_of(free_camera::orientation(camera));
@@ -45,6 +63,12 @@ void FreeCameraChoice::turn(const AnyBelief& belief, BlockId vehicle, const Came
     looking_ = true;
   } else {
     heading_rad_ += heading_rate_rad_s_ * tick.dt;
+  }
+  if (wanted_rad) {
+    const double at_once_s = std::max(tick.dt, settings_.gaze_period_s);
+    heading_rate_rad_s_ = std::clamp(wrap_angle(*wanted_rad - heading_rad_) / at_once_s,
+                                     -settings_.gaze_rate_rad_s, settings_.gaze_rate_rad_s);
+    return;
   }
   if (!compares_turns(settings_.gaze) || (!first && !has_come(gaze_t_ + settings_.gaze_period_s, tick.t)))
     return;
@@ -54,15 +78,16 @@ void FreeCameraChoice::turn(const AnyBelief& belief, BlockId vehicle, const Came
 }
 
 void FreeCameraChoice::choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,
-                              const Tick& tick, BodyGoal& goal) {
+                              const Surroundings& surroundings, const Tick& tick, BodyGoal& goal) {
   const CameraState camera = belief.mean(body.block);
-  if (settings_.gaze != Gaze::swing) {
-    turn(belief, body.block, camera, expectation, tick);
+  const std::optional<double> wanted_rad = choice_.gaze_rad(camera, translations_, tick, surroundings);
+  if (wanted_rad || settings_.gaze != Gaze::swing) {
+    turn(belief, body.block, camera, expectation, wanted_rad, tick);
     goal.heading_rad = heading_rad_;
     goal.heading_rate_rad_s = heading_rate_rad_s_;
     translations_.turn_at(heading_rate_rad_s_);
   }
-  goal.decided = choice_.choose(belief, body.block, camera, translations_, expectation, tick);
+  goal.decided = choice_.choose(belief, body.block, camera, translations_, expectation, tick, surroundings);
   goal.scores = choice_.scores();
   goal.chosen = choice_.chosen();
   if (!goal.decided) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,20 +14,21 @@ namespace incognita {
 
 class FreeCameraChoice final : public BodyChoice {
  public:
-  /// Sigmas: of the unknown accelerations of the motion model. `who`: index in the team. Throws
-  /// std::invalid_argument as ActionChoice and Translations do.
+  /// Sigmas: of the unknown accelerations of the motion model. `who`: index in the team. `delay_s`: after which an operator
+  /// begins a chosen action. Throws std::invalid_argument as ActionChoice and Translations do.
   FreeCameraChoice(const DecisionSettings& settings, double sigma_acceleration_m_s2,
-                   double sigma_angular_acceleration_rad_s2, std::uint64_t seed, std::size_t who = 0);
+                   double sigma_angular_acceleration_rad_s2, std::uint64_t seed, std::size_t who = 0,
+                   double delay_s = 0);
 
-  void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation, const Tick& tick,
-              BodyGoal& goal) override;
+  void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,
+              const Surroundings& surroundings, const Tick& tick, BodyGoal& goal) override;
   void forget() override;
   void state(StateArchive& archive) override;
   const std::vector<std::string>& names() const override { return choice_.names(); }
 
  private:
   void turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
-            const Expectation& expectation, const Tick& tick);
+            const Expectation& expectation, std::optional<double> wanted_rad, const Tick& tick);
 
   DecisionSettings settings_;
   Translations translations_;

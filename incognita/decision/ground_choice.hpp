@@ -18,8 +18,8 @@ class GroundChoice final : public BodyChoice {
   GroundChoice(const DecisionSettings& settings, const BodyModel& body, double tick_s, std::uint64_t seed,
                std::size_t who = 0);
 
-  void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation, const Tick& tick,
-              BodyGoal& goal) override;
+  void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,
+              const Surroundings& surroundings, const Tick& tick, BodyGoal& goal) override;
   void forget() override { choice_.forget(); }
   void state(StateArchive& archive) override;
   const std::vector<std::string>& names() const override { return choice_.names(); }

@@ -1,7 +1,9 @@
 // The state of the decision: scores, the current actions, what was seen, and random streams.
 #include "incognita/decision/decision.hpp"
 #include "incognita/decision/free_camera_choice.hpp"
+#include "incognita/decision/frontier.hpp"
 #include "incognita/decision/ground_choice.hpp"
+#include "incognita/decision/route_rule.hpp"
 #include "incognita/decision/taken_over.hpp"
 #include "incognita/math/saved_state/matrices.hpp"
 
@@ -26,14 +28,50 @@ void serialize(Archive& archive, ExpectedLandmark& landmark) {
   archive(index, position);
 }
 
+template <AnyStateArchive Archive>
+void serialize(Archive& archive, Approach::Leg& leg) {
+  auto& [from, to] = leg;
+  archive(from, to);
+}
+
+template <AnyStateArchive Archive>
+void serialize(Archive& archive, Frontier::Pursuit& pursuit) {
+  auto& [cell, viewpoint, until_t] = pursuit;
+  archive(cell, viewpoint, until_t);
+}
+
+/// Obstacles are read anew by each decision.
+void Approach::state(StateArchive& archive) {
+  auto& [mobility, stops, under_way, obstacles] = *this;
+  archive(stops, under_way);
+}
+
+void Route::state(StateArchive& archive) {
+  auto& [reach_m, ahead_m, patience, points, to, from, most_m, stalled] = *this;
+  archive(points, to, from, most_m, stalled);
+  if (!points.empty() && to >= points.size()) throw DamagedState("a leg beyond the end of its route");
+}
+
+void RouteRule::state(StateArchive& archive) {
+  auto& [center, plan, approach, route] = *this;
+  archive(approach, route);
+}
+
+void Frontier::state(StateArchive& archive) {
+  auto& [bounds, period_s, approach, pursuit, given_up, faces_rad] = *this;
+  archive(approach, pursuit, given_up, faces_rad);
+  if (pursuit && pursuit->cell < 0) throw DamagedState("a frontier that is no cell");
+}
+
 /// The scores of a look-ahead are computed anew by each comparison.
 void ActionChoice::state(StateArchive& archive) {
-  auto& [settings, names, sequence, look_ahead, random, order_stream, scores, allowed, outside_m, order,
+  auto& [settings, names, sequence, look_ahead, rule, random, order_stream, scores, allowed, outside_m, order,
          scored, taken, chosen, end_t] = *this;
   archive(random, order_stream, scores, allowed, outside_m, order, scored, taken, chosen, end_t);
   const bool fits = scores.size() == names.size() && allowed.size() == names.size() &&
                     order.size() == names.size() && chosen >= -1 && chosen < static_cast<int>(names.size());
   if (!fits) throw DamagedState("the scores of other actions");
+  if (rule) rule->state(archive);
 }
 
 void FreeCameraChoice::state(StateArchive& archive) {

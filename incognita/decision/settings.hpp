@@ -13,9 +13,12 @@ namespace incognita {
 struct DecisionSettings {
   enum class Strategy {
     mutual_information,
-    random,      ///< any allowed action
-    fixed_path,  ///< the actions of `sequence`, cyclically
-    none         ///< always "stay"
+    random,         ///< any allowed action
+    fixed_path,     ///< the actions of `sequence`, cyclically
+    lawn_mower,     ///< parallel lanes through the bounds
+    wall_follower,  ///< around along the sides of the bounds
+    frontier,       ///< to where the nearest unseen cells come into view
+    none            ///< always "stay"
   };
   enum class Schedule {
     every_frame,   ///< scores all actions in every frame
@@ -39,6 +42,8 @@ struct DecisionSettings {
   double impulse_s = 1.0 / 15;  // one frame at the thesis' 15 Hz
   std::vector<Eigen::Vector2d> accelerations;
   std::string sequence;
+  double lane_m = 2;
+  double wall_distance_m = 0.5;
   double period_s = 1.0;
   Eigen::Vector3d min_bound_m{-1e9, -1e9, -1e9};
   Eigen::Vector3d max_bound_m{1e9, 1e9, 1e9};
@@ -47,6 +52,9 @@ struct DecisionSettings {
   double gaze_rate_rad_s = 0.2;
   double gaze_period_s = 0.05;
   double gaze_ahead_s = 1.0;
+
+  /// Whether the bounds in x and y are given: those of the defaults are farther apart than any place.
+  bool has_sides() const { return (max_bound_m - min_bound_m).head<2>().maxCoeff() < 1e6; }
 
   static void describe(auto&& setting) {
     using namespace limits;
@@ -61,6 +69,10 @@ struct DecisionSettings {
             "Frames in which actions are scored: every one, those of a decision, or one action per frame");
     setting(&S::sequence, "sequence", "", any(),
             "Names of the actions that the strategy `fixed-path` repeats, separated by spaces");
+    setting(&S::lane_m, "lane_m", "m", above_up_to(0, 1e6),
+            "Largest width and height of a lane of the strategy `lawn-mower`");
+    setting(&S::wall_distance_m, "wall_distance_m", "m", between(0, 1e6),
+            "Distance of the strategy `wall-follower` from the sides of the bounds");
     setting(&S::period_s, "period_s", "s", between(0.001, 1e4),
             "Duration of an action, after which all are compared again");
     setting(&S::min_bound_m, "min_bound_m", "m", any(), "Lower corner of the box that goals must lie in");
@@ -77,7 +89,8 @@ struct DecisionSettings {
             "Time for which an action accelerates, once per period");
     setting(&S::accelerations, "accelerations", "", between(-1000, 1000),
             "Actions in place of Table 6.1, [m/s^2, rad/s^2] each; one must be 0");
-    setting(&S::gaze, "gaze", "", any(), "Rotation of a free camera");
+    setting(&S::gaze, "gaze", "", any(),
+            "Rotation of a free camera; not used with the strategy `frontier`, which turns it itself");
     setting(&S::gaze_rate_rad_s, "gaze_rate_rad_s", "rad/s", between(0, 10),
             "Angular rate of the gaze, thesis 6.3.1");
     setting(&S::gaze_period_s, "gaze_period_s", "s", between(0.001, 1e4),

@@ -77,7 +77,7 @@ void expect_goes_on(const std::function<Parts()>& built, int before, int after) 
 }
 
 /// A camera without a target that explores a room.
-Parts exploring() {
+Parts exploring(DecisionSettings::Strategy strategy = DecisionSettings::Strategy::mutual_information) {
   constexpr std::uint64_t seed = 3;
   RoomSettings settings;
   settings.start_position_m = {0.5, 0, 1.3};
@@ -95,7 +95,10 @@ Parts exploring() {
       sensors_of_body(std::make_unique<RoomCamera>(room, camera, settings, seed, "sensor.image", exposure)));
   parts.estimator = std::make_unique<SlamEstimator>(single_camera(camera, {}, slam, 10, seed));
   ActiveSettings active;
+  active.decision.strategy = strategy;
   active.decision.period_s = 0.4;
+  active.decision.min_bound_m = {-2.5, -2.5, 0.4};
+  active.decision.max_bound_m = {2.5, 2.5, 2.1};
   active.exploration.expected_landmarks = 60;
   active.exploration.max_m = {3, 3, 2.5};
   active.exploration.min_m = {-3, -3, 0};
@@ -105,7 +108,16 @@ Parts exploring() {
   return parts;
 }
 
-TEST(SavedParts, ACameraThatExploresARoom) { expect_goes_on(exploring, 25, 20); }
+TEST(SavedParts, ACameraThatExploresARoom) {
+  expect_goes_on([] { return exploring(); }, 25, 20);
+}
+
+/// The routes that they follow, what stopped them, and the cells that they pursue.
+TEST(SavedParts, ACameraByStrategiesThatAreRules) {
+  using Strategy = DecisionSettings::Strategy;
+  for (const Strategy strategy : {Strategy::lawn_mower, Strategy::wall_follower, Strategy::frontier})
+    expect_goes_on([strategy] { return exploring(strategy); }, 25, 25);
+}
 
 /// Two robots on the plane that choose where to drive, with or without identities of what they measure.
 Parts driving(DataAssociationSettings::Method association) {

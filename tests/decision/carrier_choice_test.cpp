@@ -55,7 +55,7 @@ struct Driven {
     BodyGoal goal;
     Tick tick;
     tick.frame = 0;
-    choice.choose(belief, body, beacon, tick, goal);
+    choice.choose(belief, body, beacon, {}, tick, goal);
     return goal;
   }
 };
@@ -112,11 +112,11 @@ TEST(CarrierChoice, StopsAfterTheEstimateWasLost) {
   BodyGoal goal;
   Tick tick;
   tick.frame = 0;
-  choice.choose(d.belief, d.body, d.beacon, tick, goal);
+  choice.choose(d.belief, d.body, d.beacon, {}, tick, goal);
   ASSERT_EQ(*goal.drive, Eigen::Vector2d(0.5, 0));
   choice.forget();
   d.beacon.position.reset();
-  choice.choose(d.belief, d.body, d.beacon, tick, goal);
+  choice.choose(d.belief, d.body, d.beacon, {}, tick, goal);
   EXPECT_EQ(*goal.drive, Eigen::Vector2d(0, 0));
 }
 

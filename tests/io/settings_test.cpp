@@ -550,8 +550,12 @@ TEST(LoadScenario, ChoicesOfTheCommandLineComeFirst) {
 
 /// Those of a strategy that is not chosen are taken, so that a campaign can vary the strategy.
 TEST(LoadScenario, TakesTheSettingsOfAllStrategies) {
-  const std::string text = free_start + "[decision]\nsequence = \"go_left\"\ngaze_rate_rad_s = 0.1\n";
-  for (const char* strategy : {"mutual-information", "random", "fixed-path", "none"})
+  const std::string text =
+      free_start +
+      "[decision]\nsequence = \"go_left\"\ngaze_rate_rad_s = 0.1\nmin_bound_m = [-2, -2, 1]\n"
+      "max_bound_m = [2, 2, 2]\n[exploration]\nexpected_landmarks = 5\n";
+  for (const char* strategy :
+       {"mutual-information", "random", "fixed-path", "lawn-mower", "wall-follower", "frontier", "none"})
     for (const char* gaze : {"swing", "hold", "constant-rate", "fisher"})
       EXPECT_EQ(complaint(text, {"decision.strategy=" + std::string(strategy),
                                  "decision.gaze=" + std::string(gaze)}),

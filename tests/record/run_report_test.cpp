@@ -41,6 +41,44 @@ TEST(RunReport, SummarizesARunInTenLines) {
             "results      out/room\n");
 }
 
+TEST(RunReport, StatesHowMuchIsMappedAndHowWell) {
+  RunReport r = room();
+  r.in_room = true;
+  r.outcome.mapped = 0.712;
+  r.outcome.within_5_cm = 0.96;
+  r.outcome.within_3_sigma = 0.99;
+  r.map_error_m = 0.0213;
+  r.map_error_landmarks = 36;
+  EXPECT_NE(in_words(r, 4, "x").find(
+                "map          36 landmarks, 4 anchors; map error 2.1 cm rms over 36 landmarks\n"
+                "mapped       71 % of the textured surface to 5 cm\n"
+                "             96 % of the landmarks within 5 cm of the truth, 99 % within 3 sigma\n"),
+            std::string::npos)
+      << in_words(r, 4, "x");
+  r.in_room = false;
+  r.outcome.mapped_60_s = 0.4;
+  r.outcome.mapped_90_s = 88.24;
+  EXPECT_NE(in_words(r, 4, "x").find(
+                "mapped       71 % of the unknown points to 5 cm, 40 % after 60 s, 90 % after 88.2 s\n"),
+            std::string::npos)
+      << in_words(r, 4, "x");
+}
+
+TEST(RunReport, StatesEntropiesAndADivergedRun) {
+  RunReport r = room();
+  r.entropy = -378.94;
+  r.outcome.diverged = false;
+  const std::string before = in_words(r, 4, "x");
+  EXPECT_NE(before.find("entropy      -379 nats\n"), std::string::npos) << before;
+  EXPECT_EQ(before.find("diverged"), std::string::npos) << before;
+  r.entropy_extended = 1234.5678;
+  r.outcome.diverged = true;
+  const std::string text = in_words(r, 4, "x");
+  EXPECT_NE(text.find("entropy      -379 nats, 1235 with what is not mapped yet\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("drift 0.041 % of the path, diverged\n"), std::string::npos) << text;
+}
+
 TEST(RunReport, StatesWhyARunFailed) {
   RunReport r = room();
   r.status = RunStatus::failed;

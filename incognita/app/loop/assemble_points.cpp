@@ -7,6 +7,7 @@
 
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
+#include "incognita/app/loop/point_map_truth.hpp"
 #include "incognita/app/loop/world_outline.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/decision.hpp"
@@ -36,7 +37,7 @@ std::vector<std::string> notes_of(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const PointsSettings& points = s.points;
   const bool all_known = points.known < 0 || points.known >= points.count;
-  if (measures_distance(sensor_of(s)) || !points.file.empty() || all_known) return {};
+  if (measures_distance(sensor_of(s)) || !points.file.empty() || all_known || depth_lines_of(s)) return {};
   const double near_m =
       1 / (s.slam.initialization.inverse_depth_per_m + 2 * s.slam.initialization.sigma_inverse_depth_per_m);
   const double assumed_m = 1 / s.slam.initialization.inverse_depth_per_m,
@@ -67,6 +68,13 @@ Survey survey_of(const PointLandmarks& place) {
   return survey;
 }
 
+std::unique_ptr<MapTruth> point_truth_of(const PointLandmarks& place, const EstimatorSettings& team,
+                                         std::shared_ptr<const AssociationTruth> associations) {
+  std::vector<std::int64_t> known;
+  for (const auto& [identity, anchor] : team.anchors) known.push_back(identity);
+  return std::make_unique<PointMapTruth>(place, known, std::move(associations));
+}
+
 EstimatorSettings estimator_settings(const LoadedScenario& loaded, const PointLandmarks& place,
                                      const Terrain& ground) {
   const Scenario& s = loaded.scenario;
@@ -78,6 +86,8 @@ EstimatorSettings estimator_settings(const LoadedScenario& loaded, const PointLa
   team.health = s.planar.health;
   team.association = s.planar.association;
   team.pruning = s.planar.pruning;
+  team.depth_lines = depth_lines_of(s);
+  team.wanted_visible = s.slam.map.wanted_visible;
   set_anchors(team, place, s.points.known);
   for (std::size_t i = 0; i < vehicles_of(s); ++i) team.bodies.push_back(member_of(s, i, ground));
   return team;
@@ -135,7 +145,8 @@ Assembly assemble_points(const LoadedScenario& loaded) {
                    vehicles, {place, s.sensor.measures_vehicles, identified}, seed, associations)),
                std::move(estimator),
                std::move(strategy),
-               std::move(controller)};
+               std::move(controller),
+               point_truth_of(place, settings, identified ? associations : nullptr)};
   return out;
 }
 

@@ -1,10 +1,14 @@
 #include "incognita/app/loop/assembly.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
+#include <utility>
 
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
 #include "incognita/app/loop/world_outline.hpp"
+#include "incognita/io/scenario/enum_words.hpp"
 #include "incognita/io/scenario/located.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/messages/unfit_setting.hpp"
@@ -19,6 +23,16 @@ Assembly assembled(const LoadedScenario& loaded, const LiveSources& sources) {
   if (s.is_robot()) return assemble_robot(loaded);
   if (!s.is_recording()) return assemble_rendered(loaded);
   return s.sensor.type == "camera" ? assemble_recorded_images(loaded) : assemble_recorded_ranges(loaded);
+}
+
+/// A gaze that is given and not used; empty if there is none.
+std::string note_of_gaze(const LoadedScenario& loaded) {
+  const DecisionSettings& d = loaded.scenario.decision;
+  const std::string source = loaded.source_of("decision.gaze");
+  if (d.strategy != DecisionSettings::Strategy::frontier || source == "default") return {};
+  return fmt::format(
+      "decision.gaze = `{}` (from {}) is not used: the strategy `frontier` turns the gaze itself",
+      word_of(d.gaze), source);
 }
 
 }  // namespace
@@ -36,7 +50,9 @@ void put_scenario(const LoadedScenario& loaded, RunInfo& info) {
 
 Assembly assemble(const LoadedScenario& loaded, const LiveSources& sources) {
   try {
-    return assembled(loaded, sources);
+    Assembly out = assembled(loaded, sources);
+    if (std::string note = note_of_gaze(loaded); !note.empty()) out.notes.push_back(std::move(note));
+    return out;
   } catch (const UnfitSetting& unfit) {  // e.g. a room too small for its boxes
     throw InputError(located(loaded, unfit));
   } catch (const std::invalid_argument& error) {

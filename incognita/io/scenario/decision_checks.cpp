@@ -92,6 +92,33 @@ void check_bounds(const Scenario& s, List& found) {
                                                one_camera ? "room.start_position_m" : "start.positions_m")});
 }
 
+/// What the strategies that are rules go by must be given.
+void check_rules(const Scenario& s, List& found) {
+  using Strategy = DecisionSettings::Strategy;
+  const DecisionSettings& d = s.decision;
+  const bool by_bounds = d.strategy == Strategy::lawn_mower || d.strategy == Strategy::wall_follower;
+  if (by_bounds && !d.has_sides())
+    return found.push_back(
+        {"decision.min_bound_m",
+         fmt::format("must be given, and decision.max_bound_m, with decision.strategy = `{}`: it goes by the "
+                     "sides of the bounds",
+                     word_of(d.strategy))});
+  const double narrow_m = (d.max_bound_m - d.min_bound_m).head<2>().minCoeff();
+  if (d.strategy == Strategy::wall_follower && !(2 * d.wall_distance_m < narrow_m))
+    found.push_back({"decision.wall_distance_m",
+                     fmt::format("must be less than {:g}, half of the narrower side of decision.min_bound_m "
+                                 "to decision.max_bound_m, with decision.strategy = `wall-follower`",
+                                 narrow_m / 2)});
+  if (d.strategy == Strategy::frontier && s.exploration.expected_landmarks == 0)
+    found.push_back({"exploration.expected_landmarks",
+                     "must be more than 0 with decision.strategy = `frontier`, which goes to unseen cells of "
+                     "the exploration volume"});
+  const bool free_camera = !s.has_carried_camera() && !s.is_camera_vehicle();
+  if (d.strategy == Strategy::frontier && free_camera && d.gaze_rate_rad_s == 0)
+    found.push_back({"decision.gaze_rate_rad_s",
+                     "must be more than 0 with decision.strategy = `frontier`, which turns the gaze"});
+}
+
 /// The operator perceives the pose in the room frame, goals are in the filter's frame: only a target aligns both.
 void check_operator(const Scenario& s, List& found) {
   if (s.operator_settings.holds && !s.is_simulated() && s.start.from == StartSettings::From::free)
@@ -108,6 +135,7 @@ void check_decision(const Scenario& scenario, List& found) {
   check_horizon(scenario.decision, found);
   check_box(scenario, found);
   check_bounds(scenario, found);
+  check_rules(scenario, found);
   check_operator(scenario, found);
 }
 

@@ -94,6 +94,9 @@ inline constexpr auto enum_words<DecisionSettings::Strategy> =
         {{DecisionSettings::Strategy::mutual_information, "mutual-information"},
          {DecisionSettings::Strategy::random, "random"},
          {DecisionSettings::Strategy::fixed_path, "fixed-path"},
+         {DecisionSettings::Strategy::lawn_mower, "lawn-mower"},
+         {DecisionSettings::Strategy::wall_follower, "wall-follower"},
+         {DecisionSettings::Strategy::frontier, "frontier"},
          {DecisionSettings::Strategy::none, "none"}});
 /// Metrics that compare actions; the Fisher traces only compare camera rotations.
 template <>

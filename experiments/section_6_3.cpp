@@ -3,7 +3,7 @@
 // Experiment: scenarios/free-camera-as-printed.toml (room of 6 x 6 x 2.5 m, 33 points, 6 of them known; 0.3 m a
 // second; 35 s; landmarks from lines of depth hypotheses, matched by nearest neighbor), in rooms that were not used
 // to choose any setting. From the printed start (0.6 m, 0.46 m in height, 45 degrees) most runs are lost: that is a
-// claim of its own, with the start scaled down; the other claims start from an eighth of its sigmas. The number of
+// claim of its own, with the start scaled down; the other claims start within 2 cm and 0.02 rad. The number of
 // landmarks that are wanted in view is not printed: 12, and the time of the 14th landmark depends on it most.
 // Our variant, scenarios/free-camera.toml, has landmarks from the first view on and identities that are given.
 //
@@ -72,15 +72,17 @@ Sets start_scaled_by(double scale) {
           fmt::format("plant.sigma_start_heading_rad={}", pi / 4 * scale)};
 }
 
-/// The nearest of the starts in printed_start() from which the filter survives: its claim says so.
-constexpr double working_scale = 0.125;
-Sets near_start() { return start_scaled_by(working_scale); }
+/// Within 2 cm and 0.02 rad.
+Sets near_start() {
+  return {"plant.sigma_start_position_m=0.02", "plant.sigma_start_height_m=0.02",
+          "plant.sigma_start_heading_rad=0.02"};
+}
 
 int kept_of(const Runs& runs) { return static_cast<int>(runs.size()) - diverged_of(runs); }
 
 /// Gaze by (iii), from the printed start and from the same scaled down.
 Claim printed_start(const ExperimentSettings& settings) {
-  constexpr double scales[] = {1, 0.5, 0.25, working_scale};
+  constexpr double scales[] = {1, 0.5, 0.25};
   std::vector<Runs> by_scale;
   std::string measured;
   for (const double scale : scales) {
@@ -100,9 +102,9 @@ Claim printed_start(const ExperimentSettings& settings) {
        .measured = measured,
        .number = ClaimNumber{"share of rooms in which it stays localized",
                              share_of(static_cast<std::size_t>(kept_of(by_scale[0])), by_scale[0].size())},
-       .why = "with an eighth of the printed sigmas",
+       .why = "with a quarter of the printed sigmas",
        .seeds = settings.seeds},
-      stays_localized(by_scale[0]), on_condition(stays_localized(by_scale.back())));
+      stays_localized(by_scale[0]), on_condition(stays_localized(by_scale[2])));
 }
 
 /// Ours: landmarks from the first view on, identities given, gaze by (i).

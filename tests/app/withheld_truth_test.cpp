@@ -129,8 +129,6 @@ std::vector<std::string> run(LoopParts& parts) {
       [&](const Snapshot& s) {
         Snapshot known = s;
         for (SnapshotBody& body : known.bodies) body.truth.reset();
-        for (SnapshotLandmark& landmark : known.landmarks) landmark.truth.reset();
-        known.mapped.reset();
         made.push_back(snapshot_message(known, true) + commands.back());
       },
       [](const Tick&) { return true; });

@@ -111,12 +111,10 @@ export class PlotSet {
    */
   #drawShares(t, range, column) {
     const { columns } = this.run.series;
-    const panel = /** @type {HTMLElement} */ (this.shares.svg.parentElement);
-    const known = SHARES.some((style) => columns[style.column]?.some(Number.isFinite));
-    // While it is hidden, it has no size and would keep its old lines
-    panel.hidden = panel.hidden && !known;
+    /** @type {HTMLElement} */ (this.shares.svg.parentElement).hidden = !SHARES.some((style) =>
+      columns[style.column]?.some(Number.isFinite),
+    );
     this.shares.draw({ t, range, domain: [0, 1], lines: knownLines(SHARES, column) });
-    panel.hidden = !known;
   }
 
   /**

@@ -57,6 +57,15 @@ bool diverged(const Run& run) { return run.outcome.diverged.value_or(true); }
 
 int diverged_of(const Runs& runs) { return static_cast<int>(std::ranges::count_if(runs, diverged)); }
 
+int kept_of(const Runs& runs) { return static_cast<int>(runs.size()) - diverged_of(runs); }
+
+Answer stays_localized(const Runs& runs) { return happens_in(0.9, kept_of(runs), runs.size()); }
+
+ClaimNumber share_localized(const Runs& runs) {
+  return {"share of rooms in which it stays localized",
+          share_of(static_cast<std::size_t>(kept_of(runs)), runs.size())};
+}
+
 double entropy_at_the_14th(const Run& run) { return run.extended_when_located(14).value_or(std::nan("")); }
 
 double time_of_the_14th(const Run& run) {

@@ -62,6 +62,11 @@ Interval times(const Runs& theirs, const Runs& ours, const Of& of) {
 /// Lost at the end, or with a position error above 0.5 m (rms): OutcomeMeasures::diverged.
 bool diverged(const Run& run);
 int diverged_of(const Runs& runs);
+int kept_of(const Runs& runs);  ///< that did not diverge
+/// Whether nine of ten runs or more did not.
+Answer stays_localized(const Runs& runs);
+/// Their share.
+ClaimNumber share_localized(const Runs& runs);
 
 /// At the end, of vehicle, map and what is not mapped yet, nats.
 inline double final_entropy(const Run& run) { return run.entropy_extended; }

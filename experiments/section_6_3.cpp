@@ -10,6 +10,8 @@
 // The plan of the comparison, written before the runs, after runs in rooms 1 to 20: strategies in the same rooms
 // with the same noises (paired by seed); what counts at the end is the entropy of camera, map and what is not mapped
 // yet together (Figure 6.3: always 27 landmarks), and the position error. Baselines turn as (i) does.
+// After a first run, in which the other claims started within 2 cm and the scales ended with a quarter (95 of 100 rooms,
+// undecided), an eighth was added, the other claims were run from there, and rooms that confirm it were added.
 #include <fmt/format.h>
 
 #include <utility>
@@ -72,37 +74,36 @@ Sets start_scaled_by(double scale) {
           fmt::format("plant.sigma_start_heading_rad={}", pi / 4 * scale)};
 }
 
-/// The nearest of the starts in printed_start() from which the filter survives: its claim says so.
+/// The largest of the scales in printed_start() from which nine of ten filters survive in the rooms there; other rooms
+/// confirm it.
 constexpr double working_scale = 0.125;
 Sets near_start() { return start_scaled_by(working_scale); }
 
-int kept_of(const Runs& runs) { return static_cast<int>(runs.size()) - diverged_of(runs); }
-
 /// Gaze by (iii), from the printed start and from the same scaled down.
 Claim printed_start(const ExperimentSettings& settings) {
-  constexpr double scales[] = {1, 0.5, 0.25, working_scale};
-  std::vector<Runs> by_scale;
-  std::string measured;
-  for (const double scale : scales) {
-    by_scale.push_back(
-        runs_of(as_printed, with(start_scaled_by(scale), {by_gaze()[2]}).front(), settings, fresh_rooms));
-    measured += fmt::format("{}{} of {} rooms with {} of the printed sigmas (median NEES of a run {})",
-                            measured.empty() ? "" : ", ", kept_of(by_scale.back()), settings.seeds, scale,
-                            decimals(median_known(each(by_scale.back(), &Run::nees)).value, 1));
-  }
-  const auto stays_localized = [&](const Runs& runs) { return happens_in(0.9, kept_of(runs), runs.size()); };
+  const auto runs = [&](double scale, std::uint64_t first) {
+    return runs_of(as_printed, with(start_scaled_by(scale), {by_gaze()[2]}).front(), settings, first);
+  };
+  const Runs printed = runs(1, fresh_rooms);
+  const auto in_words = [](const Runs& of, double scale) {
+    return fmt::format("{} of {} rooms with {} of the printed sigmas (median NEES of a run {})", kept_of(of),
+                       of.size(), scale, decimals(median_known(each(of, &Run::nees)).value, 1));
+  };
+  std::string measured = in_words(printed, 1);
+  for (const double scale : {0.5, 0.25, working_scale})
+    measured += ", " + in_words(runs(scale, fresh_rooms), scale);
+  const Runs confirmed = runs(working_scale, fresh_rooms + static_cast<std::uint64_t>(settings.seeds));
   return assessed(
       "6.3-printed-start", "Section 6.3.1, Figure 6.5",
       "From a start that is as uncertain as printed the camera is localized: in nine of ten rooms of points or more "
       "it ends neither lost nor with an error of 0.5 m (rms)",
       {.rule = Rule::frequency,
        .printed = "0.6 m, 0.46 m in height and 45 degrees",
-       .measured = measured,
-       .number = ClaimNumber{"share of rooms in which it stays localized",
-                             share_of(static_cast<std::size_t>(kept_of(by_scale[0])), by_scale[0].size())},
-       .why = "with an eighth of the printed sigmas",
+       .measured = measured + "; in other rooms " + in_words(confirmed, working_scale),
+       .number = share_localized(printed),
+       .why = "with an eighth of the printed sigmas, as other rooms confirm",
        .seeds = settings.seeds},
-      stays_localized(by_scale[0]), on_condition(stays_localized(by_scale.back())));
+      stays_localized(printed), on_condition(stays_localized(confirmed)));
 }
 
 /// Ours: landmarks from the first view on, identities given, gaze by (i).

@@ -22,17 +22,15 @@ const char* const nine_accelerations =
 
 /// Accelerations of one cycle of fifteen.
 Claim one_cycle(const Runs& runs) {
-  const int kept = static_cast<int>(runs.size()) - diverged_of(runs);
-  const Interval share = share_of(static_cast<std::size_t>(kept), runs.size());
   return assessed(
       "6.4-one-cycle", "Section 6.4.2, Table 6.1",
       "With accelerations that act for one cycle of fifteen the vehicle stays localized: in nine of ten "
       "rooms or more it ends neither lost nor with an error of 0.5 m",
       {.rule = Rule::frequency,
-       .measured = {"{} of {} rooms. {}", kept, runs.size(), in_numbers(runs)},
-       .number = ClaimNumber{"share of rooms in which it stays localized", share},
+       .measured = {"{} of {} rooms. {}", kept_of(runs), runs.size(), in_numbers(runs)},
+       .number = share_localized(runs),
        .seeds = runs.size()},
-      happens_in(0.9, kept, runs.size()));
+      stays_localized(runs));
 }
 
 Claim all_pairs(const Runs& seven, const Runs& nine) {

@@ -35,18 +35,16 @@ Plot vehicle_figure(const Run& run) {
 }
 
 Claim localized(const Runs& runs) {
-  const int kept = static_cast<int>(runs.size()) - diverged_of(runs);
-  const Interval share = share_of(static_cast<std::size_t>(kept), runs.size());
   return assessed(
       "6.4.3-localized", "Sections 6.5 and 7.2",
       "A wheeled vehicle is localized in space by a single camera while it explores: in nine of ten rooms or "
       "more it ends neither lost nor with an error of 0.5 m",
       {.rule = Rule::frequency,
-       .measured = {"{} of {} rooms, median error {}", kept, runs.size(),
+       .measured = {"{} of {} rooms, median error {}", kept_of(runs), runs.size(),
                     text(median_known(each(runs, &Run::position_rms_m)), "m")},
-       .number = ClaimNumber{"share of rooms in which it stays localized", share},
+       .number = share_localized(runs),
        .seeds = runs.size()},
-      happens_in(0.9, kept, runs.size()));
+      stays_localized(runs));
 }
 
 LedgerEntry run_section_6_4_3(const ExperimentSettings& all_seeds) {

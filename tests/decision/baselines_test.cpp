@@ -1,4 +1,4 @@
-// The strategies that do not choose by information, with bodies that move exactly as they are told and know where they are.
+// The strategies that do not choose by information, with bodies that move exactly as commanded and know where they are.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "incognita/decision/approach.hpp"
 #include "incognita/decision/decision.hpp"
+#include "incognita/decision/approach.hpp"
 #include "incognita/decision/frontier.hpp"
 #include "incognita/decision/lawn_mower.hpp"
 #include "incognita/math/angles.hpp"

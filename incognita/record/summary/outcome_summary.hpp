@@ -21,7 +21,7 @@ struct OutcomeMeasures {
   std::optional<double> mapped_90_s;  ///< when 90 % was mapped for the first time, s; nothing if it never was
 
   // Over the landmarks in the map at the end whose true position is known, without anchors; nothing without any.
-  int landmarks = 0;                  ///< so many
+  int landmarks = 0;                  ///< their number
   std::optional<double> map_rms_m;    ///< rms distance from the true position
   std::optional<double> within_5_cm;  ///< share that is within mapped_within_m of it
   /// Share whose true position is within the 3-sigma ellipsoid: e' P^-1 e of the error e and the landmark's covariance P is at most

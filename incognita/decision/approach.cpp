@@ -112,7 +112,7 @@ double Approach::penalty_s(const ActionOutcome& outcome) const {
          (was_stopped_at(position) ? stopped_s : 0);
 }
 
-/// Mean cost per action over the best sequence, from a state on.
+/// Sum of the costs after each action of the best sequence, from a state on.
 double Approach::least_cost_s(const ActionSet& action_set, const BlockVector& state, int actions,
                               const Cost& cost_s) const {
   if (actions == 0) return 0;

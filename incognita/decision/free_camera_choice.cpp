@@ -86,6 +86,9 @@ void FreeCameraChoice::choose(const AnyBelief& belief, const Body& body, const E
     goal.heading_rad = heading_rad_;
     goal.heading_rate_rad_s = heading_rate_rad_s_;
     translations_.turn_at(heading_rate_rad_s_);
+  } else {
+    goal.heading_rad.reset();  // an earlier strategy may have turned the gaze
+    translations_.turn_at(0);
   }
   goal.decided = choice_.choose(belief, body.block, camera, translations_, expectation, tick, surroundings);
   goal.scores = choice_.scores();

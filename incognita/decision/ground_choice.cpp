@@ -6,12 +6,12 @@ namespace incognita {
 namespace {
 
 /// A vehicle may need longer than one action to turn to where it leads.
-Mobility ground_mobility(const DecisionSettings& s, const AnyMotion& motion) {
+Mobility ground_mobility(const std::vector<Translation>& actions, double period_s, const AnyMotion& motion) {
   Mobility can;
   can.axes = std::min(2, traits_of(motion).position_size);
   can.has_gaze = false;
-  can.step_m = longest_m(translations_of(s));
-  can.speed_m_s = can.step_m / s.period_s;
+  can.step_m = longest_m(actions);
+  can.speed_m_s = can.step_m / period_s;
   can.arrives = false;
   return can;
 }
@@ -23,7 +23,7 @@ GroundChoice::GroundChoice(const DecisionSettings& s, const BodyModel& body, dou
     : motion_(body.motion),
       actions_(body, translations_of(s), s.period_s, tick_s, WorldBounds{s.min_bound_m, s.max_bound_m}),
       choice_(s, names_of(actions_.actions()), seed, traits_of(motion_).position_size, who,
-              ground_mobility(s, motion_)) {}
+              ground_mobility(actions_.actions(), s.period_s, motion_)) {}
 
 void GroundChoice::choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,
                           const Surroundings& surroundings, const Tick& tick, BodyGoal& goal) {

@@ -94,6 +94,26 @@ TEST(MapTruth, OnUnevenGroundToo) {
   EXPECT_GT(run.outcome.landmarks, 5);
 }
 
+/// Landmarks of the last saved frame are as new as those of the first frame that follows.
+TEST(MapTruth, OfLandmarksOfAnotherRunIsNotKnown) {
+  const LoadedScenario loaded = load_scenario("explore-room", std::vector<std::string>{"run.duration_s=2"});
+  Assembly before = assemble(loaded), relocalized = assemble(loaded), other = assemble(loaded);
+  Snapshot last;
+  run_loop(
+      before.parts, [&](const Snapshot& s) { last = s; }, [](const Tick&) { return true; });
+  Truth truth;
+  truth.bodies.emplace_back().pose = {last.bodies[0].truth->position, last.bodies[0].truth->orientation};
+  const auto known = [&](MapTruth& map_truth) {
+    for (SnapshotLandmark& landmark : last.landmarks) landmark.truth.reset();
+    map_truth.put(truth, *before.parts.estimator, last);
+    return std::ranges::any_of(last.landmarks,
+                               [](const auto& landmark) { return landmark.truth.has_value(); });
+  };
+  relocalized.parts.map_truth->begin_with_map_of(*before.parts.estimator);
+  EXPECT_FALSE(known(*relocalized.parts.map_truth));
+  EXPECT_TRUE(known(*other.parts.map_truth)) << "or the test finds nothing";
+}
+
 TEST(MapTruth, WithoutATargetThereIsNoFrameToCompare) {
   const MapOfRun run = map_of("room", {"run.duration_s=1", "start.from=free"});
   EXPECT_EQ(run.mapped.back(), -1);

@@ -128,6 +128,13 @@ TEST(OutcomeSummary, DivergedMeansMoreThanHalfAMeterRmsOrLostAtTheEnd) {
   EXPECT_EQ(lost.position_rms_m, 0.1) << "a lost camera has no pose";
 }
 
+TEST(OutcomeSummary, DivergenceIsKnownWhereNothingIsToBeMapped) {
+  OutcomeSummary summary(true);
+  summary.add(frame(0, 1, 0.1));
+  EXPECT_EQ(summary.measures().mapped, std::nullopt);
+  EXPECT_EQ(summary.measures().diverged, false);
+}
+
 TEST(OutcomeSummary, InAnotherFrameThanTheTruthThereIsNothingToCompare) {
   OutcomeSummary summary(false);
   Snapshot s = frame(0, 1, 3);

@@ -14,6 +14,8 @@ namespace incognita {
 /// Follows a run from its first tick or from a saved one. The frame of the estimate must be that of the truth.
 class MapTruth : public SavedPart {
  public:
+  /// The map that the estimator has now is of another run, and what is true of its landmarks is not known here.
+  virtual void begin_with_map_of(const Estimator&) {}
   /// Puts SnapshotLandmark::truth of the landmarks and Snapshot::mapped into the snapshot of this tick. `truth`: of the bodies.
   virtual void put(const std::optional<Truth>& truth, const Estimator& estimator, Snapshot& snapshot) = 0;
 };

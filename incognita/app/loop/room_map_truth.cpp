@@ -11,13 +11,27 @@ namespace incognita {
 RoomMapTruth::RoomMapTruth(SeenSurface seen, SurfacePatches patches)
     : seen_(std::move(seen)), patches_(std::move(patches)), mapped_(patches_.areas_m2()) {}
 
+namespace {
+
+/// Null without a camera.
+const TrackedCamera* camera_of(const Estimator& estimator) {
+  const auto* const slam = dynamic_cast<const SlamEstimator*>(&estimator);
+  return slam && !slam->cameras().empty() ? &slam->cameras().front().camera() : nullptr;
+}
+
+}  // namespace
+
+void RoomMapTruth::begin_with_map_of(const Estimator& estimator) {
+  const TrackedCamera* const camera = camera_of(estimator);
+  if (camera && !camera->features.empty()) newest_ = camera->features.rbegin()->first;
+}
+
 /// Ids only grow.
 void RoomMapTruth::add_new(const Truth& truth, const TrackedCamera& camera, const Tick& tick) {
   if (camera.body >= truth.bodies.size()) return;
   for (auto it = camera.features.upper_bound(newest_); it != camera.features.end(); ++it) {
     const auto& [id, feature] = *it;
     newest_ = id;
-    if (feature.frames_known > 0) continue;  // of another run
     TruePoint point{id, seen_.at(feature.view.pixel, truth.bodies[camera.body], tick), {}};
     if (point.position) point.patch = patches_.patch_at(*point.position);
     points_.push_back(point);
@@ -32,11 +46,10 @@ void RoomMapTruth::remove_deleted(const TrackedCamera& camera) {
 }
 
 void RoomMapTruth::put(const std::optional<Truth>& truth, const Estimator& estimator, Snapshot& snapshot) {
-  const auto* const slam = dynamic_cast<const SlamEstimator*>(&estimator);
-  if (slam && truth && !slam->cameras().empty()) {
-    const TrackedCamera& camera = slam->cameras().front().camera();
-    add_new(*truth, camera, snapshot.tick);
-    remove_deleted(camera);
+  const TrackedCamera* const camera = camera_of(estimator);
+  if (camera && truth) {
+    add_new(*truth, *camera, snapshot.tick);
+    remove_deleted(*camera);
   }
   mapped_.restart();
   auto point =

@@ -22,6 +22,7 @@ class RoomMapTruth final : public MapTruth {
  public:
   RoomMapTruth(SeenSurface seen, SurfacePatches patches);
 
+  void begin_with_map_of(const Estimator& estimator) override;
   void put(const std::optional<Truth>& truth, const Estimator& estimator, Snapshot& snapshot) override;
   void state(StateArchive& archive) override;
 

@@ -191,6 +191,7 @@ void restore_map(const StateFile& file, const LoadedScenario& loaded, RunState& 
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: --relocalize: {}", file.path.string(), error.what()));
   }
+  if (run.parts.map_truth) run.parts.map_truth->begin_with_map_of(*run.parts.estimator);
   run.ever_tracked = true;
 }
 

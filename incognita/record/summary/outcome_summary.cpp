@@ -18,6 +18,7 @@ void OutcomeSummary::add(const Snapshot& s) {
 
 void OutcomeSummary::add_poses(const Snapshot& s) {
   for (const SnapshotBody& body : s.bodies) {
+    knows_truth_ |= body.truth.has_value();
     if (!body.truth || !has_pose(body)) continue;
     squares_m2_ += (body.truth->position - body.estimate.position).squaredNorm();
     ++poses_;
@@ -60,7 +61,7 @@ OutcomeMeasures OutcomeSummary::measures() const {
   put_map(m);
   if (poses_ > 0) m.position_rms_m = std::sqrt(squares_m2_ / static_cast<double>(poses_));
   m.lost = lost_;
-  if (mapped_) m.diverged = lost_ || !m.position_rms_m || !(*m.position_rms_m <= diverged_m);
+  if (knows_truth_) m.diverged = lost_ || !m.position_rms_m || !(*m.position_rms_m <= diverged_m);
   return m;
 }
 

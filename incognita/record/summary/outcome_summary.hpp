@@ -31,7 +31,7 @@ struct OutcomeMeasures {
   /// rms over all poses, of all bodies, whose true position is known; nothing without any.
   std::optional<double> position_rms_m;
   bool lost = false;  ///< at the end
-  /// Lost at the end, or position_rms_m above diverged_m, or not one pose to compare; nothing where `mapped` is nothing.
+  /// Lost at the end, or position_rms_m above diverged_m, or not one pose to compare.
   std::optional<bool> diverged;
 };
 
@@ -55,6 +55,7 @@ class OutcomeSummary {
   bool lost_ = false;
   double squares_m2_ = 0;
   std::int64_t poses_ = 0;
+  bool knows_truth_ = false;
   bool was_early_ = false, had_few_ = false;  ///< at some frame: before 60 s, with less than 90 % mapped
   std::optional<double> mapped_, mapped_60_s_, mapped_90_s_;
   std::vector<SnapshotLandmark> map_;  ///< of the last snapshot

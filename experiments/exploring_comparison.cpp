@@ -39,7 +39,7 @@ Interval median_known(std::vector<double> numbers) {
 }
 
 std::ptrdiff_t lost_of(const Runs& runs) {
-  return std::ranges::count_if(runs, [](const Run& r) { return r.lost; });
+  return std::ranges::count_if(runs, [](const Run& r) { return r.outcome.lost; });
 }
 
 std::ptrdiff_t diverged_of(const Runs& runs) { return std::ranges::count_if(runs, diverged); }
@@ -68,7 +68,7 @@ std::vector<Runs> runs_of_all(const std::string& scenario, const std::vector<Str
   return all;
 }
 
-bool diverged(const Run& run) { return run.lost || !(run.position_rms_m <= 0.5); }
+bool diverged(const Run& run) { return run.outcome.diverged.value_or(true); }
 
 ExperimentSettings half_of(ExperimentSettings settings) {
   settings.seeds = (settings.seeds + 1) / 2;

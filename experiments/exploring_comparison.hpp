@@ -60,7 +60,7 @@ std::string in_numbers(const std::string& name, const Runs& runs);
 /// the six ways are. Not a number where it only stayed.
 double share_across(const Run& run);
 
-/// Lost at the end, or with a position error above 0.5 m (rms).
+/// Lost at the end, or with a position error above 0.5 m (rms): OutcomeMeasures::diverged.
 bool diverged(const Run& run);
 
 /// The claim that a vehicle that starts there drives more than half of its path backward. `variant` ends the

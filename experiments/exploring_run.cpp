@@ -9,6 +9,7 @@
 #include "incognita/app/loop/assembly.hpp"
 #include "incognita/record/snapshot/series.hpp"
 #include "incognita/record/summary/exploration_summary.hpp"
+#include "incognita/record/summary/run_info.hpp"
 
 namespace incognita::exploring {
 namespace {
@@ -24,12 +25,14 @@ Decision decision_of(const Snapshot& s) {
 /// Gathers a run from its snapshots.
 class Gathered {
  public:
+  explicit Gathered(const RunInfo& info) : outcome_(same_frame_as_truth(info)) {}
+
   void add(const Snapshot& s) {
     summary_.add(s);
+    outcome_.add(s);
     run_.map = s.landmarks;
     const SnapshotBody& body = s.bodies.at(0);
     run_.actions = body.decision.actions;
-    run_.lost = s.status.state == TrackingState::lost;
     returned_ += returned(s);
     if (body.decision.decided && body.decision.chosen >= 0) {
       run_.decisions.push_back(decision_of(s));
@@ -40,7 +43,8 @@ class Gathered {
 
   Run finish() {
     const auto ticks = static_cast<double>(run_.instants.size());
-    run_.position_rms_m = std::sqrt(squares_ / ticks);
+    run_.outcome = outcome_.measures();
+    run_.position_rms_m = run_.outcome.position_rms_m.value_or(std::nan(""));
     run_.nees = nees_ / ticks;
     run_.coverage = summary_.coverage().value_or(std::nan(""));
     run_.entropy_extended = summary_.entropy_extended().value_or(std::nan(""));
@@ -53,7 +57,6 @@ class Gathered {
   void add_instant(const Snapshot& s) {
     const SnapshotBody& body = s.bodies.front();
     Instant i{s.tick.t, *body.truth, body.estimate, body.covariance, s.entropy, mapped_landmarks(s)};
-    squares_ += (i.truth.position - i.estimate.position).squaredNorm();
     nees_ += pose_nees(pose_error(i.truth, i.estimate), i.covariance).value_or(std::nan(""));
     run_.instants.push_back(std::move(i));
   }
@@ -71,13 +74,14 @@ class Gathered {
 
   Run run_;
   ExplorationSummary summary_;
+  OutcomeSummary outcome_;
   std::map<std::int64_t, double> matched_t_s_;  ///< when last, by landmark
   int returned_ = 0;                            ///< since the last decision
-  double squares_ = 0, nees_ = 0;
+  double nees_ = 0;
 };
 
 Run gather(Assembly assembly) {
-  Gathered gathered;
+  Gathered gathered(assembly.info);
   run_loop(assembly.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) { gathered.add(s); }),
            std::function<bool(const Tick&)>([](const Tick&) { return true; }));
   return gathered.finish();

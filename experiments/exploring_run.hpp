@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "incognita/record/snapshot/snapshot.hpp"
+#include "incognita/record/summary/outcome_summary.hpp"
 
 namespace incognita::exploring {
 
@@ -38,7 +39,7 @@ struct Run {
   std::vector<std::string> actions;   ///< names
   std::vector<SnapshotLandmark> map;  ///< at the end, anchors too
   std::vector<double> located_t_s;    ///< of landmarks in the order in which they were located (record/)
-  bool lost = false;                  ///< at the end
+  OutcomeMeasures outcome;
   double position_rms_m = 0, nees = 0, coverage = 0;
   double entropy_extended = 0;  ///< nats, at the last decision
 

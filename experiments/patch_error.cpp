@@ -52,7 +52,7 @@ std::map<std::int64_t, Errors> errors_of_a_run(const std::string& seed,
   Assembly assembly = assemble(loaded);
   const Camera camera = make_camera(loaded.scenario.camera);
   const RoomLayout room = room_layout(loaded.scenario.room, std::stoull(seed));
-  auto& [clock, world, sensor, estimator, decision, controller] = assembly.parts;
+  auto& [clock, world, sensor, estimator, decision, controller, map_truth] = assembly.parts;
   Estimate estimate;
   Command command;
   std::map<std::int64_t, Eigen::Vector3d> places;

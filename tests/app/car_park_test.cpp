@@ -19,7 +19,7 @@ struct Outcome {
 Outcome drive(const std::string& scenario, std::vector<std::string> sets = {}) {
   sets.push_back("run.duration_s=112");
   Assembly assembly = assemble(load_scenario(scenario, sets));
-  auto& [clock, world, sensor, estimator, decision, controller] = assembly.parts;
+  auto& [clock, world, sensor, estimator, decision, controller, map_truth] = assembly.parts;
   Estimate estimate;
   Outcome out;
   while (const Tick tick = clock->next()) {

@@ -50,7 +50,7 @@ JointError run(const std::string& scenario, std::vector<std::string> sets, int s
                const Sense& sense = {}) {
   sets.push_back("run.seed=" + std::to_string(seed));
   Assembly assembly = assemble(load_scenario(scenario, sets));
-  auto& [clock, world, sensor, scenario_estimator, decision, controller] = assembly.parts;
+  auto& [clock, world, sensor, scenario_estimator, decision, controller, map_truth] = assembly.parts;
   EstimatorSettings settings = dynamic_cast<SlamEstimator&>(*scenario_estimator).settings();
   change(settings);
   SlamEstimator estimator(settings);
@@ -125,7 +125,7 @@ TEST(Combinations, PositionFixesOfOneVehicleOfATeam) {
   expect_consistent("fixes of one vehicle of three", "two-robots", team_of_three, 16, use_fixes, fixes);
   const auto sigma_of_last = [&](const Change& change) {
     Assembly assembly = assemble(load_scenario("two-robots", team_of_three));
-    auto& [clock, world, sensor, scenario_estimator, decision, controller] = assembly.parts;
+    auto& [clock, world, sensor, scenario_estimator, decision, controller, map_truth] = assembly.parts;
     EstimatorSettings settings = dynamic_cast<SlamEstimator&>(*scenario_estimator).settings();
     change(settings);
     SlamEstimator estimator(settings);

@@ -89,7 +89,7 @@ struct Return {
 };
 
 Return come_back(Assembly& assembly, const Target& target, const Camera& camera) {
-  auto& [clock, world, sensor, estimator, decision, controller] = assembly.parts;
+  auto& [clock, world, sensor, estimator, decision, controller, map_truth] = assembly.parts;
   Estimate estimate;
   Return found;
   bool measured_again = false;

@@ -241,7 +241,7 @@ TEST(ObservabilityWatch, WithoutAMonitorNothingIsTraced) {
   PlanarLoopSettings loop;
   loop.duration_s = 5;
   Assembly assembly = assemble_ranges(drive_planar_loop(loop, 5), settings_for(loop), 10);
-  auto& [clock, world, sensor, estimator, decision, controller] = assembly.parts;
+  auto& [clock, world, sensor, estimator, decision, controller, map_truth] = assembly.parts;
   Estimate unwatched, watched;
   watched.belief.keep_trace(true);
   while (const Tick tick = clock->next()) {

@@ -55,6 +55,17 @@ TEST(ProgramCampaign, AnswerConformsToItsSchema) {
   for (const Json& variant : answer["variants"]) EXPECT_EQ(variant["measures"].size(), 1u);
 }
 
+TEST(ProgramCampaign, MeasuresHowMuchIsMapped) {
+  const CampaignFolder campaigns;
+  const Ended ended = campaigns.campaign({"--seeds", "1..2", "--duration", "61", "--json", "--measure",
+                                          "exploration.mapped_60_s", "--measure", "exploration.diverged"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Json measures = Json::parse(ended.out)["variants"][0]["measures"];
+  EXPECT_EQ(measures["exploration.mapped_60_s"]["n"], 2);
+  EXPECT_GT(measures["exploration.mapped_60_s"]["mean"], 0);
+  EXPECT_EQ(measures["exploration.diverged"]["n"], 2);
+}
+
 TEST(ProgramCampaign, TableDoesNotDependOnTheDistributionOfRuns) {
   const CampaignFolder campaigns;
   const Words what = {"--seeds", "1..7", "--vary", vary, "--vary", "points.count=8,16"};

@@ -40,6 +40,7 @@ incognita_program_test(program_team_test SOURCES app/program_team_test.cpp
 # Separate, since it alone kills the programs that it starts
 incognita_program_test(program_campaign_test SOURCES app/program_campaign_test.cpp
                                                      app/program_campaign_interrupted_test.cpp)
+incognita_test(map_truth_test SOURCES app/map_truth_test.cpp USES incognita::app)
 incognita_test(withheld_truth_test SOURCES app/withheld_truth_test.cpp USES incognita::app)
 incognita_test(relocalization_in_room_test SOURCES app/relocalization_in_room_test.cpp USES incognita::app)
 incognita_test(loop_closure_in_room_test SOURCES app/loop_closure_in_room_test.cpp USES incognita::app)

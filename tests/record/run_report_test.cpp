@@ -41,6 +41,29 @@ TEST(RunReport, SummarizesARunInTenLines) {
             "results      out/room\n");
 }
 
+TEST(RunReport, StatesHowMuchIsMappedAndHowWell) {
+  RunReport r = room();
+  r.in_room = true;
+  r.outcome.mapped = 0.712;
+  r.outcome.within_5_cm = 0.96;
+  r.outcome.within_3_sigma = 0.99;
+  r.map_error_m = 0.0213;
+  r.map_error_landmarks = 36;
+  EXPECT_NE(in_words(r, 4, "x").find(
+                "map          36 landmarks, 4 anchors; map error 2.1 cm rms over 36 landmarks\n"
+                "mapped       71 % of the textured surface to 5 cm\n"
+                "             96 % of the landmarks within 5 cm of the truth, 99 % within 3 sigma\n"),
+            std::string::npos)
+      << in_words(r, 4, "x");
+  r.in_room = false;
+  r.outcome.mapped_60_s = 0.4;
+  r.outcome.mapped_90_s = 88.24;
+  EXPECT_NE(in_words(r, 4, "x").find(
+                "mapped       71 % of the unknown points to 5 cm, 40 % after 60 s, 90 % after 88.2 s\n"),
+            std::string::npos)
+      << in_words(r, 4, "x");
+}
+
 TEST(RunReport, StatesWhyARunFailed) {
   RunReport r = room();
   r.status = RunStatus::failed;

@@ -1,5 +1,5 @@
 // The part of JSON Schema that the schemas in docs/schemas use: type, enum, required, dependentRequired,
-// properties, additionalProperties, items, minimum; contentEncoding is informative. Any other keyword in a
+// properties, additionalProperties, items, minimum, maximum; contentEncoding is informative. Any other keyword in a
 // schema is an error here, not ignored.
 #pragma once
 
@@ -29,7 +29,8 @@ inline void check_object(const Json& value, const Json& schema, const std::strin
 inline void check(const Json& value, const Json& schema, const std::string& at, std::string& problems) {
   static const std::set<std::string> known{
       "$schema",           "title",      "description",          "type",  "enum",    "required",
-      "dependentRequired", "properties", "additionalProperties", "items", "minimum", "contentEncoding"};
+      "dependentRequired", "properties", "additionalProperties", "items", "minimum", "maximum",
+      "contentEncoding"};
   for (const auto& [key, unused] : schema.items())
     if (!known.contains(key)) throw std::invalid_argument("schema keyword " + key);
   if (schema.contains("type")) {
@@ -43,6 +44,8 @@ inline void check(const Json& value, const Json& schema, const std::string& at, 
     problems += at + ": " + value.dump() + " is none of " + schema["enum"].dump() + "\n";
   if (schema.contains("minimum") && value.is_number() && value < schema["minimum"])
     problems += at + ": " + value.dump() + " is too small\n";
+  if (schema.contains("maximum") && value.is_number() && value > schema["maximum"])
+    problems += at + ": " + value.dump() + " is too large\n";
   if (schema.contains("items") && value.is_array())
     for (const auto& item : value) check(item, schema["items"], at + "[]", problems);
   if (value.is_object()) check_object(value, schema, at, problems);

@@ -1,5 +1,5 @@
 find_package(nlohmann_json 3.11 REQUIRED)
-incognita_test(record_test SOURCES record/adjusted_path_test.cpp record/consistency_summary_test.cpp record/map_survey_test.cpp record/mcap_reader.cpp
+incognita_test(record_test SOURCES record/adjusted_path_test.cpp record/consistency_summary_test.cpp record/map_survey_test.cpp record/outcome_summary_test.cpp record/mcap_reader.cpp
                                    record/path_distance_test.cpp record/recorder_test.cpp record/row_file_test.cpp record/run_report_test.cpp
                                    record/state_file_test.cpp
                                    record/tum_test.cpp

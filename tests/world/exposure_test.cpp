@@ -13,6 +13,7 @@
 #include "incognita/world/motion_spline.hpp"
 #include "incognita/world/rendered/render.hpp"
 #include "incognita/world/rendered/room_camera.hpp"
+#include "incognita/world/rendered/room_ray.hpp"
 
 namespace incognita {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
+#include "incognita/app/loop/point_map_truth.hpp"
 #include "incognita/app/loop/world_outline.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/decision/decision.hpp"
@@ -65,6 +66,13 @@ Survey survey_of(const PointLandmarks& place) {
     survey.landmarks.back().position.head(point.size()) = point;
   }
   return survey;
+}
+
+std::unique_ptr<MapTruth> point_truth_of(const PointLandmarks& place, const EstimatorSettings& team,
+                                         std::shared_ptr<const AssociationTruth> associations) {
+  std::vector<std::int64_t> known;
+  for (const auto& [identity, anchor] : team.anchors) known.push_back(identity);
+  return std::make_unique<PointMapTruth>(place, known, std::move(associations));
 }
 
 EstimatorSettings estimator_settings(const LoadedScenario& loaded, const PointLandmarks& place,
@@ -135,7 +143,8 @@ Assembly assemble_points(const LoadedScenario& loaded) {
                    vehicles, {place, s.sensor.measures_vehicles, identified}, seed, associations)),
                std::move(estimator),
                std::move(strategy),
-               std::move(controller)};
+               std::move(controller),
+               point_truth_of(place, settings, identified ? associations : nullptr)};
   return out;
 }
 

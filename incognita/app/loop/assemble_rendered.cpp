@@ -5,6 +5,7 @@
 #include "incognita/app/loop/assemblers.hpp"
 #include "incognita/app/loop/body_models.hpp"
 #include "incognita/app/loop/operator_assembly.hpp"
+#include "incognita/app/loop/room_map_truth.hpp"
 #include "incognita/app/loop/room_motion.hpp"
 #include "incognita/app/loop/world_outline.hpp"
 #include "incognita/control/steering_controller.hpp"
@@ -60,6 +61,14 @@ std::unique_ptr<RoomCamera> room_camera(std::shared_ptr<const Room> room, const 
                                       "sensor.image", s.exposure);
 }
 
+/// Evaluates the map, in the frame of the target. `cameras`: positions in the free space.
+std::unique_ptr<MapTruth> room_truth_of(const std::shared_ptr<const Room>& room, const Camera& camera,
+                                        const Scenario& s, const std::vector<Eigen::Vector3d>& cameras,
+                                        PoseAtTime pose_at = {}) {
+  return std::make_unique<RoomMapTruth>(SeenSurface(room, camera, s.exposure.readout_s, std::move(pose_at)),
+                                        SurfacePatches(room, cameras));
+}
+
 /// A vehicle carries the camera.
 void put_vehicle(const LoadedScenario& loaded, const Camera& camera, const std::optional<Target>& target,
                  Assembly& out) {
@@ -79,6 +88,9 @@ void put_vehicle(const LoadedScenario& loaded, const Camera& camera, const std::
   parts.sensor = std::make_unique<SensorSet>(
       sensors_of_body(room_camera(room, camera, s), std::make_unique<WheelEncoders>(),
                       std::make_unique<ProximityRing>(room->layout(), RangeRing{}, seed)));
+  if (target)
+    parts.map_truth =
+        room_truth_of(room, camera, s, carried_camera_positions(*room, s.mount, s.room.clearance_m));
   std::optional<WheelOdometry> odometry;
   if (s.slam.filter.odometry) odometry = wheel_odometry_of(s);
   put_estimator(image_estimator(loaded, camera, target, odometry), s, parts);
@@ -99,7 +111,11 @@ void put_recorded_motion(const LoadedScenario& loaded, const Camera& camera,
       std::make_unique<FixedRateClock>(s.run.rate_hz, std::max(motion.duration_s, 1 / s.run.rate_hz));
   parts.world = std::make_unique<ReplayWorld>(std::vector{truth_of(motion)});
   auto lens = room_camera(room, camera, s);
-  lens->follow([spline = motion.world_from_camera](double t) { return spline->at(t).pose; });
+  const PoseAtTime pose_at = [spline = motion.world_from_camera](double t) { return spline->at(t).pose; };
+  lens->follow(pose_at);
+  if (target)
+    parts.map_truth =
+        room_truth_of(room, camera, s, free_camera_positions(*room, s.room.clearance_m), pose_at);
   parts.sensor = std::make_unique<SensorSet>(sensors_of_body(std::move(lens)));
   put_estimator(image_estimator(loaded, camera, target), s, parts);
   parts.controller = std::make_unique<SteeringController>();
@@ -118,6 +134,8 @@ void put_free_camera(const LoadedScenario& loaded, const Camera& camera, const s
   if (s.operator_settings.holds) body.actuator = operator_of(s, 0);
   parts.world = std::make_unique<SimulatedWorld>(std::move(body), seed);
   parts.sensor = std::make_unique<SensorSet>(sensors_of_body(room_camera(room, camera, s)));
+  if (target)
+    parts.map_truth = room_truth_of(room, camera, s, free_camera_positions(*room, s.room.clearance_m));
   put_estimator(image_estimator(loaded, camera, target), s, parts);
   parts.controller = std::make_unique<SteeringController>(
       std::vector{free_camera_control(s.control, s.operator_settings.holds)}, 1 / s.run.rate_hz);

@@ -1,7 +1,5 @@
 #include "incognita/app/loop/association_score.hpp"
 
-#include <vector>
-
 namespace incognita {
 
 void AssociationScore::add(const Snapshot& s) {
@@ -9,12 +7,8 @@ void AssociationScore::add(const Snapshot& s) {
   for (const SnapshotLandmark& landmark : s.landmarks)
     if (const auto known = landmark_of_.find(landmark.id); known != landmark_of_.end())
       mapped.insert(known->second);
-  std::vector<std::size_t> next(truth_->size(), 0);
-  for (const SnapshotMatch& match : s.matches) {
-    if (match.of_body) continue;
-    const auto vehicle = static_cast<std::size_t>(match.body);
-    add(match, truth_->at(vehicle).at(next[vehicle]++), mapped);
-  }
+  for_each_association(s, *truth_,
+                       [&](const SnapshotMatch& match, std::int64_t truth) { add(match, truth, mapped); });
 }
 
 void AssociationScore::add(const SnapshotMatch& match, std::int64_t truth,

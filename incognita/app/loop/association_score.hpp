@@ -1,10 +1,12 @@
 // Data association errors of a team's estimator.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <set>
+#include <vector>
 
 #include "incognita/record/snapshot/snapshot.hpp"
 #include "incognita/world/points/point_world.hpp"
@@ -12,6 +14,18 @@
 namespace incognita {
 
 class StateArchive;
+
+/// Calls use(match, true identity) for each match of a landmark's detection, those of anchors too; `truth` must hold the tick
+/// of the snapshot.
+template <class Use>
+void for_each_association(const Snapshot& snapshot, const AssociationTruth& truth, Use use) {
+  std::vector<std::size_t> next(truth.size(), 0);
+  for (const SnapshotMatch& match : snapshot.matches) {
+    if (match.of_body) continue;
+    const auto vehicle = static_cast<std::size_t>(match.body);
+    use(match, truth.at(vehicle).at(next[vehicle]++));
+  }
+}
 
 /// The estimator's landmark ids are unrelated to the true identities: each landmark is attributed to the true
 /// landmark whose detection initialized it.

@@ -15,7 +15,7 @@ void run_loop(LoopParts& parts, const std::function<void(const Snapshot&)>& publ
 void run_loop(LoopParts& parts, LoopState& state, const std::function<void(const Snapshot&)>& publish,
               const std::function<bool(const Tick&)>& keep_going,
               const std::function<void(const Estimate&)>& watch, const std::function<void()>& done) {
-  const auto& [clock, world, sensor, estimator, strategy, controller] = parts;
+  const auto& [clock, world, sensor, estimator, strategy, controller, map_truth] = parts;
   auto& [estimate, command, last] = state;
   estimate.belief.keep_trace(watch != nullptr);
   std::vector<std::pair<const char*, double>> timing_ms;
@@ -39,7 +39,9 @@ void run_loop(LoopParts& parts, LoopState& state, const std::function<void(const
       stage.mark("watch");
     }
     last = tick;
-    publish(snapshot_of(tick, truth, observation, estimate, goal, *strategy, command, timing_ms));
+    Snapshot snapshot = snapshot_of(tick, truth, observation, estimate, goal, *strategy, command, timing_ms);
+    if (map_truth) map_truth->put(truth, *estimator, snapshot);
+    publish(snapshot);
     if (done) done();
   }
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 
+#include "incognita/app/loop/map_truth.hpp"
 #include "incognita/control/controller.hpp"
 #include "incognita/decision/strategy.hpp"
 #include "incognita/record/snapshot/snapshot.hpp"
@@ -20,6 +21,7 @@ struct LoopParts {
   std::unique_ptr<Estimator> estimator;
   std::unique_ptr<Strategy> strategy;
   std::unique_ptr<Controller> controller;
+  std::unique_ptr<MapTruth> map_truth = nullptr;  ///< evaluates the map; null where its truth is unknown
 };
 
 /// What the loop carries from one tick to the next, besides its parts.

@@ -97,6 +97,8 @@ std::vector<std::pair<std::string, SectionState>> sections_of(RunState& run) {
       {"controller", [&parts](StateArchive& a) { parts.controller->state(a); }},
       {"world", [&parts](StateArchive& a) { parts.world->state(a); }},
       {"sensors", [&parts](StateArchive& a) { parts.sensor->state(a); }}};
+  if (parts.map_truth)
+    sections.emplace_back("map truth", [&parts](StateArchive& a) { parts.map_truth->state(a); });
   if (run.watch) sections.emplace_back("observability", [&run](StateArchive& a) { run.watch->state(a); });
   if (run.score) sections.emplace_back("association", [&run](StateArchive& a) { run.score->state(a); });
   return sections;

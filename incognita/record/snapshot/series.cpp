@@ -52,7 +52,8 @@ std::vector<std::string> series_columns(bool with_errors) {
                                    "nis",
                                    "nis_dof",
                                    "coverage",
-                                   "entropy_extended_nats"};
+                                   "entropy_extended_nats",
+                                   "mapped"};
   append_pose_columns(columns, "two_sigma_");
   if (with_errors) {
     append_pose_columns(columns, "error_");
@@ -77,7 +78,8 @@ std::vector<double> series_row(const Snapshot& snapshot, bool with_errors) {
                           snapshot.nis_dof > 0 ? snapshot.nis : unknown,
                           static_cast<double>(snapshot.nis_dof),
                           snapshot.coverage.value_or(unknown),
-                          snapshot.entropy_extended.value_or(unknown)};
+                          snapshot.entropy_extended.value_or(unknown),
+                          snapshot.mapped.value_or(unknown)};
   append(row, posed ? Eigen::VectorXd(2 * P.diagonal().cwiseMax(0).cwiseSqrt())
                     : Eigen::VectorXd::Constant(6, unknown));
   if (with_errors) append(row, errors(posed));

@@ -26,6 +26,7 @@ struct SnapshotLandmark {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();    ///< world, m
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< m^2
   int detection_count = 0;                               ///< matches so far
+  std::optional<Eigen::Vector3d> truth = {};             ///< its true position, where a simulation knows it
 };
 
 /// A depth hypothesis of a ray, as predicted in the image.
@@ -111,6 +112,8 @@ struct Snapshot {
   std::optional<Readout> readout;  ///< of a rolling shutter, if the residuals of a camera show one
   SnapshotEntropy entropy{};
   std::optional<double> coverage;  ///< viewed share of the exploration volume
+  /// Share of the true world that the map contains to 5 cm: mapped_share.hpp. Where a simulation knows it.
+  std::optional<double> mapped;
   /// Entropy in nats of vehicle, map and expected unmapped landmarks (Figure 6.3), from the last decision.
   std::optional<double> entropy_extended;
   std::vector<Intervention> interventions;                ///< that took effect before the motion of this tick

@@ -58,11 +58,30 @@ std::string errors_in_words(const BodyReport& body, const RunReport& r) {
 std::string map_in_words(const RunReport& r) {
   std::string text = counted(r.landmarks, "landmark");
   if (r.anchors > 0) text += ", " + counted(r.anchors, "anchor");
-  if (r.surveyed == 0) return text;
+  if (r.surveyed == 0 && r.map_error_landmarks == 0) return text;
+  if (r.surveyed == 0)
+    return text + fmt::format("; map error {} rms over {}", length_in_words(r.map_error_m),
+                              counted(r.map_error_landmarks, "landmark"));
   if (r.map_error_landmarks == 0)
     return text + fmt::format("; none matches one of the {} surveyed", r.surveyed);
   return text + fmt::format("; map error {} rms over {} of {} surveyed landmarks",
                             length_in_words(r.map_error_m), r.map_error_landmarks, r.surveyed);
+}
+
+std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
+
+/// Empty where the truth is not known.
+std::string outcome_lines(const OutcomeMeasures& outcome, bool in_room) {
+  if (!outcome.mapped) return "";
+  std::string text = fmt::format("{} of the {} to 5 cm", percent(*outcome.mapped),
+                                 in_room ? "textured surface" : "unknown points");
+  if (outcome.mapped_60_s) text += fmt::format(", {} after 60 s", percent(*outcome.mapped_60_s));
+  if (outcome.mapped_90_s) text += fmt::format(", 90 % after {:.1f} s", *outcome.mapped_90_s);
+  std::string lines = line("mapped", text);
+  if (outcome.within_5_cm && outcome.within_3_sigma)
+    lines += line("", fmt::format("{} of the landmarks within 5 cm of the truth, {} within 3 sigma",
+                                  percent(*outcome.within_5_cm), percent(*outcome.within_3_sigma)));
+  return lines;
 }
 
 std::string in_words(const char* what, const std::optional<MeanNormalizedSquare>& value) {
@@ -132,6 +151,7 @@ std::string in_words(const RunReport& r, double wall_s, const std::string& out) 
   text += line("trajectory", errors_in_words(r.body, r));
   text += robot_lines(r);
   text += line("map", map_in_words(r));
+  text += outcome_lines(r.outcome, r.in_room);
   text += consistency_lines(r.consistency);
   text += line("decisions", std::to_string(r.decisions));
   if (wall_s > 0) text += line("speed", rounded(static_cast<double>(r.frames) / wall_s) + " frames/s");

@@ -9,6 +9,7 @@
 
 #include "incognita/analysis/evaluation/trajectory.hpp"
 #include "incognita/record/summary/consistency_summary.hpp"
+#include "incognita/record/summary/outcome_summary.hpp"
 #include "incognita/record/summary/run_status.hpp"
 
 namespace incognita {
@@ -37,8 +38,11 @@ struct RunReport {
   std::vector<BodyReport> bodies;
   int landmarks = 0, anchors = 0;
   int surveyed = 0;  ///< landmarks the map can be compared with; 0: none
-  double map_error_m = std::numeric_limits<double>::quiet_NaN();  ///< rms over the matched landmarks
+  /// rms over the matched landmarks, without a survey over those whose truth the simulation knows
+  double map_error_m = std::numeric_limits<double>::quiet_NaN();
   int map_error_landmarks = 0;
+  OutcomeMeasures outcome;
+  bool in_room = false;  ///< the world is the rendered room, whose surface is mapped; else points are
   ConsistencyReport consistency;
   std::int64_t decisions = 0;
   std::vector<std::string> warnings;

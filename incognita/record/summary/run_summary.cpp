@@ -133,6 +133,8 @@ double path_json(const BodyReport& body, const RunReport& report) {
 RunSummary::RunSummary(const RunInfo& info)
     : version_(info.version),
       seed_(info.seed),
+      in_room_(info.room.has_value()),
+      outcome_(same_frame_as_truth(info)),
       consistency_(same_frame_as_truth(info)),
       survey_(info.survey),
       warnings_(info.warnings),
@@ -167,6 +169,7 @@ void RunSummary::add(const Snapshot& snapshot) {
   if (state == TrackingState::lost) ++lost_frames_;
   for (const SnapshotBody& body : snapshot.bodies) decisions_ += body.decision.decided;
   exploration_.add(snapshot);
+  outcome_.add(snapshot);
   landmarks_ = mapped_landmarks(snapshot);
   anchors_ = static_cast<int>(snapshot.landmarks.size()) - landmarks_;
   // Keeps the last known entropy in frames without one, e.g. without a pose.
@@ -279,8 +282,14 @@ std::optional<Alignment> RunSummary::truth_from_map() const {
 }
 
 void RunSummary::report_map(RunReport& r) const {
+  r.outcome = outcome_.measures();
+  r.in_room = in_room_;
   r.surveyed = static_cast<int>(survey_.landmarks.size());
-  if (r.surveyed == 0) return;
+  if (r.surveyed == 0) {
+    r.map_error_m = r.outcome.map_rms_m.value_or(unknown);
+    r.map_error_landmarks = r.outcome.landmarks;
+    return;
+  }
   const auto alignment = truth_from_map();
   if (!alignment) return;
   const SurveyedMapError error = surveyed_map_error(map_, survey_, *alignment);
@@ -325,7 +334,7 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
                                        ? Json(report.consistency.pose.overconfident_frames)
                                        : Json(nullptr);
   }
-  if (report.surveyed > 0) {
+  if (report.surveyed > 0 || report.outcome.mapped) {
     json["map_error_m"] = report.map_error_m;
     json["map_error_landmarks"] = report.map_error_landmarks;
   }
@@ -334,10 +343,18 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
     return value ? Json(*value) : Json(nullptr);
   };
   constexpr int thesis_landmarks = 14;  // the number whose time and entropy Section 6.3.1 reports
+  const OutcomeMeasures& outcome = report.outcome;
   json["exploration"] = {{"located", exploration_.located()},
                          {"t_14_located_s", or_null(exploration_.located_t_s(thesis_landmarks))},
                          {"coverage", or_null(exploration_.coverage())},
-                         {"entropy_extended", or_null(exploration_.entropy_extended())}};
+                         {"entropy_extended", or_null(exploration_.entropy_extended())},
+                         {"mapped", or_null(outcome.mapped)},
+                         {"mapped_60_s", or_null(outcome.mapped_60_s)},
+                         {"mapped_90_s", or_null(outcome.mapped_90_s)},
+                         {"within_5_cm", or_null(outcome.within_5_cm)},
+                         {"within_3_sigma", or_null(outcome.within_3_sigma)},
+                         {"lost", int{outcome.lost}},
+                         {"diverged", outcome.diverged ? Json(int{*outcome.diverged}) : Json(nullptr)}};
   Json& vehicles = json["vehicles"] = Json::array();
   const std::vector<PathDistance> distances = distances_.bodies(report.bodies.size());
   for (std::size_t i = 0; i < std::min(report.bodies.size(), max_vehicles); ++i) {

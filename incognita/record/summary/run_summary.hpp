@@ -14,6 +14,7 @@
 #include "incognita/record/summary/consistency_summary.hpp"
 #include "incognita/record/summary/exploration_summary.hpp"
 #include "incognita/record/summary/map_survey.hpp"
+#include "incognita/record/summary/outcome_summary.hpp"
 #include "incognita/record/summary/path_distance.hpp"
 #include "incognita/record/summary/path_summary.hpp"
 #include "incognita/record/summary/run_info.hpp"
@@ -51,10 +52,12 @@ class RunSummary {
 
   std::string version_;
   std::int64_t seed_;
+  bool in_room_;
   AlignmentKind alignment_;
   std::vector<std::pair<std::string, SummaryValue>> extra_;
 
   ExplorationSummary exploration_;
+  OutcomeSummary outcome_;
   std::int64_t frames_ = 0, tracked_frames_ = 0, degraded_frames_ = 0, lost_frames_ = 0, decisions_ = 0;
   double first_t_s_ = 0, last_t_s_ = 0;
   int landmarks_ = 0, anchors_ = 0;

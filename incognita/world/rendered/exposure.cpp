@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 #include "incognita/world/rendered/render.hpp"
+#include "incognita/world/rendered/room_ray.hpp"
 
 namespace incognita {
 namespace {
@@ -21,28 +21,9 @@ void need(bool ok, const char* what, double value) {
 
 bool is_duration(double s) { return s >= 0 && std::isfinite(s); }
 
-/// Parameters at which a ray enters and leaves a box; it misses the box if it leaves before it enters.
-std::pair<double, double> crossing(const Box& box, const Eigen::Vector3d& position,
-                                   const Eigen::Vector3d& direction) {
-  double enter = -std::numeric_limits<double>::infinity(), leave = -enter;
-  for (int i = 0; i < 3; ++i) {
-    const double a = (box.min[i] - position[i]) / direction[i], b = (box.max[i] - position[i]) / direction[i];
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-  }
-  return {enter, leave};
-}
-
 }  // namespace
 
-double ray_length(const RoomLayout& layout, const Eigen::Vector3d& position,
-                  const Eigen::Vector3d& direction) {
-  double length = crossing(layout.inside, position, direction).second;
-  for (const Box& box : layout.boxes)
-    if (const auto [enter, leave] = crossing(box, position, direction); enter > 0 && enter < leave)
-      length = std::min(length, enter);
-  return length;
-}
+double row_time_s(double row, int rows, double readout_s) { return ((row + 0.5) / rows - 0.5) * readout_s; }
 
 ExposedCamera::ExposedCamera(const Room& room, const Camera& camera, double duration_s, double readout_s)
     : room_(room), camera_(camera), rays_(camera), duration_s_(duration_s), readout_s_(readout_s) {
@@ -81,7 +62,7 @@ void ExposedCamera::render_at(const PoseInTime& world_from_camera, double dt_s, 
   rows_.clear();
   if (readout_s_ == 0) rows_.push_back(world_from_camera(dt_s));
   for (int v = 0; readout_s_ > 0 && v < rays_.height; ++v)
-    rows_.push_back(world_from_camera(dt_s + ((v + 0.5) / rays_.height - 0.5) * readout_s_));
+    rows_.push_back(world_from_camera(dt_s + row_time_s(v, rays_.height, readout_s_)));
   render(room_, rays_, rows_, out);
 }
 

@@ -21,17 +21,15 @@ class StateArchive;
 /// Pose of the camera at a time after the middle of the exposure of the middle row, s, also negative.
 using PoseInTime = std::function<RigidPose(double dt_s)>;
 
-/// Distance to the wall or box that a ray from a position meets, in lengths of `direction`, both in world axes; a level
-/// floor is assumed.
-double ray_length(const RoomLayout& layout, const Eigen::Vector3d& position,
-                  const Eigen::Vector3d& direction);
+/// When a row, counted from 0 and also between two, is exposed: s after the middle of the image's exposure.
+double row_time_s(double row, int rows, double readout_s);
 
 class ExposedCamera {
  public:
   /// The room must outlive it. Durations in s, not negative: throws std::invalid_argument otherwise.
   ExposedCamera(const Room& room, const Camera& camera, double duration_s, double readout_s);
 
-  /// The noise-free image. Row v of n is exposed about the time ((v + 1/2) / n - 1/2) readout_s. Blur is the mean of
+  /// The noise-free image. Row v is exposed about row_time_s(v). Blur is the mean of
   /// images() renderings at equal intervals: a mean of gray levels, so the response of the camera is linear.
   void expose(const PoseInTime& world_from_camera, Image& out);
 

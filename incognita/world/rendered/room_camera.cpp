@@ -23,6 +23,12 @@ MovingPose motion_of(const BodyTruth& body) {
 
 }  // namespace
 
+PoseInTime motion_about(const Tick& tick, const BodyTruth& body, const PoseAtTime& pose_at) {
+  return [t = tick.t, &body, &pose_at](double dt_s) {
+    return pose_at ? pose_at(t + dt_s) : extrapolated(motion_of(body), dt_s);
+  };
+}
+
 RoomCamera::RoomCamera(std::shared_ptr<const Room> room, const Camera& camera, const RoomSettings& settings,
                        std::uint64_t seed, const std::string& name, const ExposureSettings& exposure)
     : room_(std::move(room)),
@@ -50,9 +56,7 @@ void RoomCamera::measure(const std::optional<Truth>& truth, std::size_t which, c
                          BodyObservation& observation) {
   const BodyTruth& body = truth_of(truth, which);
   if (!body.pose) throw std::invalid_argument("the camera of the rendered room needs the true pose");
-  observation.images.push_back(image_along(
-      [&](double dt_s) { return pose_at_ ? pose_at_(tick.t + dt_s) : extrapolated(motion_of(body), dt_s); },
-      tick));
+  observation.images.push_back(image_along(motion_about(tick, body, pose_at_), tick));
 }
 
 }  // namespace incognita

@@ -19,6 +19,10 @@ namespace incognita {
 /// Pose of the camera at a time of the clock of the ticks, s.
 using PoseAtTime = std::function<RigidPose(double t)>;
 
+/// The motion of the camera of a body about a tick: as `pose_at` says, or if that is empty at the velocity and the rate of its
+/// true state. Both arguments must outlive it.
+PoseInTime motion_about(const Tick& tick, const BodyTruth& body, const PoseAtTime& pose_at);
+
 class RoomCamera final : public BodySensor {
  public:
   /// The room is shared, since painting it is the most expensive part. `name`: of the random stream of the noise, one

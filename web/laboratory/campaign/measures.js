@@ -24,10 +24,18 @@ const words = {
   'exploration.entropy_extended': 'entropy with what is not mapped yet',
   'exploration.located': 'landmarks located to 0.3 of their distance',
   'exploration.t_14_located_s': 'time until 14 landmarks were located',
+  'exploration.mapped': 'share of the world mapped to 5 cm at the end',
+  'exploration.mapped_60_s': 'share of the world mapped to 5 cm after 60 s',
+  'exploration.mapped_90_s': 'time until 90 % of the world was mapped to 5 cm',
+  'exploration.within_5_cm': 'share of the landmarks within 5 cm of the truth',
+  'exploration.within_3_sigma': 'share of the landmarks within 3 sigma of the truth',
+  'exploration.lost': '1 if lost at the end',
+  'exploration.diverged': '1 if lost at the end or with a position error above 0.5 m',
   'consistency.outlier_share': 'share of measurements that are outliers',
 };
 /** @type {[RegExp, string][]} */
 const ends = [
+  [/^mapped_60_s$/, ''],
   [/(^|[._])entropy(_|$)/, 'nats'],
   [/_percent$/, '%'],
   [/_m$/, 'm'],

@@ -16,6 +16,7 @@
 namespace incognita {
 
 class StateArchive;
+struct Estimate;
 
 /// How the actions of a body move it.
 struct Mobility {
@@ -39,6 +40,9 @@ struct Surroundings {
   std::shared_ptr<const ExplorationVolume> seen = {};  ///< null without an exploration prior
   /// Whether the sensors of the body would measure a landmark at a position (world, m) from a state
   std::function<bool(const BlockVector& state, const Eigen::Vector3d& position)> in_view = {};
+  const Estimate* estimate = nullptr;
+  int expected = 0;            ///< landmarks that are expected, as the expectation predicts them
+  double expected_var_m2 = 0;  ///< of each coordinate
   std::span<const ConeRange> obstacles = {};  ///< readings of this tick; empty without such a sensor
 };
 

@@ -17,6 +17,12 @@ Metric gaze_metric(Gaze gaze) {
   return gaze == Gaze::fisher_given_state ? Metric::fisher_given_state : Metric::state;
 }
 
+bool compares_turns(Gaze gaze) {
+  return gaze == Gaze::mutual_information || gaze == Gaze::fisher || gaze == Gaze::fisher_given_state;
+}
+
+}  // namespace
+
 Mobility free_mobility(const DecisionSettings& s) {
   const std::vector<Translation> actions = translations_of(s);
   const bool climbs = std::ranges::any_of(actions, [](const auto& a) { return a.displacement_m.z() != 0; });
@@ -27,12 +33,6 @@ Mobility free_mobility(const DecisionSettings& s) {
   can.turn_rate_rad_s = s.gaze_rate_rad_s;
   return can;
 }
-
-bool compares_turns(Gaze gaze) {
-  return gaze == Gaze::mutual_information || gaze == Gaze::fisher || gaze == Gaze::fisher_given_state;
-}
-
-}  // namespace
 
 FreeCameraChoice::FreeCameraChoice(const DecisionSettings& s, double sigma_acceleration_m_s2,
                                    double sigma_angular_acceleration_rad_s2, std::uint64_t seed,

@@ -12,6 +12,9 @@
 
 namespace incognita {
 
+/// How the actions move a free camera.
+Mobility free_mobility(const DecisionSettings& settings);
+
 class FreeCameraChoice final : public BodyChoice {
  public:
   /// Sigmas: of the unknown accelerations of the motion model. `who`: index in the team. Throws

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "incognita/decision/plan/side_cells.hpp"
 #include "incognita/slam/features/automatic_settings.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 
@@ -101,6 +102,7 @@ void ImageExpectation::add_unseen(const BlockVector& state, const Viewpoint& vie
   if (as_mapped_) counted = slam_.map.wanted_visible - static_cast<std::ptrdiff_t>(visible_.size());
   for (const ExpectedLandmark& unseen : *unseen_) {
     if (counted <= 0) break;
+    if (!sees_surface(free_camera::position(view.camera), unseen.position, unseen.normal)) continue;
     if (!in_view(state, unseen.position)) continue;
     const auto prediction = PointLandmark::predict_measurement(camera_, view.camera, unseen.position);
     if (!prediction) continue;

@@ -3,6 +3,7 @@
 #include "incognita/decision/free_camera_choice.hpp"
 #include "incognita/decision/frontier.hpp"
 #include "incognita/decision/ground_choice.hpp"
+#include "incognita/decision/plan/planned_choice.hpp"
 #include "incognita/decision/lawn_mower.hpp"
 #include "incognita/decision/taken_over.hpp"
 #include "incognita/decision/wall_follower.hpp"
@@ -25,8 +26,8 @@ void serialize(Archive& archive, BodyGoal& goal) {
 
 template <AnyStateArchive Archive>
 void serialize(Archive& archive, ExpectedLandmark& landmark) {
-  auto& [index, position] = landmark;
-  archive(index, position);
+  auto& [index, position, normal] = landmark;
+  archive(index, position, normal);
 }
 
 template <AnyStateArchive Archive>
@@ -92,6 +93,9 @@ void CarrierChoice::state(StateArchive& archive) {
   archive(choice, drive);
 }
 
+void PlannedCameraChoice::state(StateArchive&) {}
+void PlannedCarrierChoice::state(StateArchive&) {}
+
 void GroundChoice::state(StateArchive& archive) {
   auto& [motion, actions, choice] = *this;
   archive(choice);
@@ -106,7 +110,7 @@ void Exploration::state(StateArchive& archive) {
 }
 
 void Decision::state(StateArchive& archive) {
-  auto& [choices, expectation, exploration, entropy, goal, last_t, entropy_due_t] = *this;
+  auto& [choices, expectation, exploration, sides, entropy, goal, last_t, entropy_due_t] = *this;
   archive.expect_size(choices.size(), "bodies");
   for (const auto& choice : choices) choice->state(archive);
   auto& [bodies, coverage, entropy_extended, volume] = goal;

@@ -30,6 +30,7 @@ PlanarSlamSettings settings_of(const Data& data, const Variant& variant) {
     s.association.method = DataAssociationSettings::Method::known;
     s.association.gate_probability = 1 - 1e-9;
   }
+  if (variant.nearest_neighbor) s.association.method = DataAssociationSettings::Method::nearest;
   s.start.sigma_position_m *= variant.start.position_times;
   s.start.sigma_heading_rad *= variant.start.heading_times;
   if (variant.start.right_heading) s.start.heading_rad = radians(right_heading_deg);

@@ -72,6 +72,7 @@ struct Variant {
   Decorrelation decorrelate = Decorrelation::nothing;
   MapFrame map_frame = MapFrame::world;
   bool right_associations = false;
+  bool nearest_neighbor = false;  ///< instead of joint compatibility
   bool gps_all_along = false;
   Start start = {};
 };
@@ -98,6 +99,9 @@ bool has_smaller_sigmas(const Drive& one, const Drive& other, double times = 1);
 
 /// The largest share by which a landmark's sigma grows in the second half of its life.
 double largest_growth(const Drive& drive);
+
+/// Sigmas that differ by less, relatively, count as equal.
+inline constexpr double same_sigmas = 0.10;
 
 /// Path and landmarks with 2-sigma ellipses, GPS and surveyed beacons, as in Figure 3.6.
 Plot map(const std::string& id, const std::string& title, const Data& data, const Drive& drive);

@@ -10,7 +10,7 @@ namespace incognita {
 
 struct CaseResult {
   Text text;
-  Finding holds = true;
+  Answer holds = true;
 };
 
 class Cases {
@@ -21,11 +21,11 @@ class Cases {
     hold_ = hold_ && one.holds;
   }
   const std::string& text() const { return text_; }  ///< separated by semicolons
-  Finding hold() const { return hold_; }
+  Answer hold() const { return hold_; }
 
  private:
   std::string text_;
-  Finding hold_ = true;
+  Answer hold_ = true;
 };
 
 /// `1: ...; 2: ...` of each number, e.g. of landmarks: `one(n)` is a CaseResult.

@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 
+#include "experiments/chapter_5_vehicle.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/world/fixed_rate_clock.hpp"
@@ -91,6 +92,33 @@ Instant instant_of(const Tick& tick, const Truth& truth, const Estimate& e, cons
   return now;
 }
 
+/// Where the robots would be without noise.
+class Plan {
+ public:
+  explicit Plan(const std::vector<Robot>& robots) {
+    for (const Robot& robot : robots) poses_.push_back(robot.start);
+  }
+  const Pose& pose(std::size_t robot) const { return poses_[robot]; }
+  void move(const Command& command) {
+    for (std::size_t i = 0; i < poses_.size(); ++i)
+      poses_[i] = moved(poses_[i], Vector2d(command.bodies.at(i).input));
+  }
+
+ private:
+  std::vector<Pose> poses_;
+};
+
+/// What the laws are given in place of the estimate.
+Estimate given_instead(SteeredBy by, const Estimate& e, const Truth& truth, const Plan& plan) {
+  Estimate given;
+  given.started = e.started;
+  given.status = e.status;
+  given.bodies = e.bodies;
+  for (std::size_t i = 0; i < given.bodies.size(); ++i)
+    given.bodies[i].state = by == SteeredBy::truth ? truth.bodies[i].state : SmallVector(plan.pose(i));
+  return given;
+}
+
 double joint_nees(const Instant& now, const Estimate& e, const PointLandmarks& place) {
   Eigen::VectorXd error(e.belief.errors());
   for (std::size_t i = 0; i < e.bodies.size(); ++i)
@@ -133,12 +161,16 @@ Run drive(const Setup& setup, std::uint64_t seed) {
   FixedRateClock clock(1 / period_s, setup.duration_s);
   Estimate estimate;
   Command command;
+  Plan plan(setup.robots);
   Run run;
   while (const Tick tick = clock.next()) {
     const auto truth = world.move(command, tick);
     const bool scans = tick.frame % ticks_per_scan == 0;
     estimator.update(estimate, command, scans ? sensors.measure(truth, tick) : odometry_alone(*truth), tick);
-    command = controller.act(estimate, {}, {}, tick);
+    command = setup.steered_by == SteeredBy::estimate
+                  ? controller.act(estimate, {}, {}, tick)
+                  : controller.act(given_instead(setup.steered_by, estimate, *truth, plan), {}, {}, tick);
+    plan.move(command);
     run.instants.push_back(instant_of(tick, *truth, estimate, command, setup.place.size()));
     if (tick.frame % ticks_per_joint_nees == 0)
       run.joint_nees.push_back(joint_nees(run.instants.back(), estimate, setup.place));

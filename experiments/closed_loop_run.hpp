@@ -35,6 +35,13 @@ struct Robot {
 /// circles of Examples 5.2 and 5.3.
 PointLandmarks sixteen_landmarks();
 
+/// The state that the laws are given.
+enum class SteeredBy {
+  estimate,  ///< closed loop
+  truth,
+  plan  ///< open loop: where the robot would be without noise, so that its inputs are known beforehand
+};
+
 struct Setup {
   std::vector<Robot> robots;
   PointLandmarks place = sixteen_landmarks();
@@ -42,6 +49,7 @@ struct Setup {
   double duration_s = 60;
   double noise = 1;  ///< all sigmas, of start, inputs and sensor, times this
   Linearization linearization = Linearization::analytic;
+  SteeredBy steered_by = SteeredBy::estimate;
 };
 
 Robot robot(const planar::Pose<double>& start, ControlLaw law, const Path& path);

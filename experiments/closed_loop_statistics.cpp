@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <functional>
 
@@ -22,12 +21,15 @@ ExperimentSettings few(ExperimentSettings settings) {
   return settings;
 }
 
+ClaimNumber share_number(std::string what, RunCount of_them, RunCount runs) {
+  const Interval share =
+      share_of(static_cast<std::size_t>(of_them.value), static_cast<std::size_t>(runs.value));
+  return {std::move(what), {100 * share.value, 100 * share.low, 100 * share.high}, "%"};
+}
+
 std::string share_text(RunCount of_them, RunCount runs) {
-  using boost::math::ibeta_inv;
-  const double k = of_them.value, n = runs.value, tail = 0.025;
-  const double low = k > 0 ? ibeta_inv(k, n - k + 1, tail) : 0;
-  const double high = k < n ? ibeta_inv(k + 1, n - k, 1 - tail) : 1;
-  return fmt::format("{} of {} ({:.1f} to {:.1f} %)", of_them.value, runs.value, 100 * low, 100 * high);
+  const Interval percent = share_number("", of_them, runs).value;
+  return fmt::format("{} of {} ({:.1f} to {:.1f} %)", of_them.value, runs.value, percent.low, percent.high);
 }
 
 double quantile(std::vector<double> samples, double share) {
@@ -49,6 +51,22 @@ std::vector<double> distances_m(const Run& run, const Path& path, const Span& sp
   return over_ticks(run, distance, span);
 }
 
+double rms_distance_m(const Run& run, const Path& path, const Span& span) {
+  return rms_of(distances_m(run, path, span)).value;
+}
+
+double rms_estimated_distance_m(const Run& run, const Path& path, const Span& span) {
+  const auto distance = [&](const Instant& i) {
+    return (i.robots[0].mean.head<2>() - at(path, i.t_s).position.head<2>()).norm();
+  };
+  return rms_of(over_ticks(run, distance, span)).value;
+}
+
+double rms_error_m(const Run& run, const Span& span) {
+  const auto error = [](const Instant& i) { return i.robots[0].error().head<2>().norm(); };
+  return rms_of(over_ticks(run, error, span)).value;
+}
+
 double arrived_s(const Run& run, const Path& path, std::size_t robot) {
   const std::vector<double> distances = distances_m(run, path, {}, robot);
   std::size_t k = distances.size();
@@ -57,13 +75,13 @@ double arrived_s(const Run& run, const Path& path, std::size_t robot) {
 }
 
 Claim arrive_by(double by_s, const std::vector<double>& arrived_s, const std::string& id,
-                const std::string& place, const std::string& statement, const std::string& printed,
-                const std::string& afterwards) {
+                const std::string& place, const std::string& statement, const std::string& afterwards) {
   const auto there = std::ranges::count_if(arrived_s, [&](double t) { return t < by_s; });
   return assessed(id, place, statement,
-                  {.printed = printed,
+                  {.rule = Rule::frequency,
                    .measured = {"{}, from {:.1f} s on (median). {}", share_text(there, arrived_s.size()),
                                 quantile(arrived_s, 0.5), afterwards},
+                   .number = share_number("runs that arrive and stay", there, arrived_s.size()),
                    .seeds = arrived_s.size()},
                   happens_in(0.95, there, arrived_s.size()));
 }
@@ -105,13 +123,15 @@ Claim consistent_enough(const std::string& id, const std::string& place, const R
   const Interval nees = bootstrap_mean(each(runs, [](const Run& run) { return mean_nees(run); }));
   return assessed(
       id, place,
-      "The estimate stays usable for control: mean NEES of the pose, over its 3 degrees of freedom, below "
-      "1.2",
-      {.measured =
+      "The estimate that steers is consistent: mean NEES of the pose, over its 3 degrees of freedom, within "
+      "0.2 of 1",
+      {.rule = Rule::equality,
+       .measured =
            {"NEES {}; error within two sigmas at {:.1f}, {:.1f}, {:.1f} % of the ticks (x, y, heading)",
             text(nees), percent[0], percent[1], percent[2]},
+       .number = ClaimNumber{"NEES of the pose", nees},
        .seeds = runs.size()},
-      is_below(nees, 1.2));
+      agrees(nees, 1, nees_margin));
 }
 
 Eigen::Vector3d moduli(const planar::Pose<double>& pose, const Eigen::Vector2d& input,

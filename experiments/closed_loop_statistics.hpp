@@ -20,8 +20,10 @@ Runs runs_of(const ExperimentSettings& settings, const std::string& what, const 
 /// The same with no more seeds than a claim takes at the least, for what is expensive.
 ExperimentSettings few(ExperimentSettings settings);
 
-/// `198 of 200 (96.4 to 99.9 %)`: 95 % by Clopper and Pearson.
+/// `198 of 200 (96.4 to 99.7 %)`: 95 % by Wilson, as happens_in() has it.
 std::string share_text(RunCount of_them, RunCount runs);
+/// The same as the number of a claim, in percent.
+ClaimNumber share_number(std::string what, RunCount of_them, RunCount runs);
 
 /// Of samples in any order; share from 0 to 1.
 double quantile(std::vector<double> samples, double share);
@@ -47,6 +49,12 @@ std::vector<double> over_ticks(const Run& run, const Of& of, const Span& span = 
 std::vector<double> distances_m(const Run& run, const Path& path, const Span& span = {},
                                 std::size_t robot = 0);
 
+/// Root mean squares over that part of a run, m: distance from the reference, the same by the estimate, and the
+/// error of the estimated position.
+double rms_distance_m(const Run& run, const Path& path, const Span& span = {});
+double rms_estimated_distance_m(const Run& run, const Path& path, const Span& span = {});
+double rms_error_m(const Run& run, const Span& span = {});
+
 inline constexpr double near_m = 0.5;
 
 /// From when on the control point stays within near_m of the reference.
@@ -54,8 +62,7 @@ double arrived_s(const Run& run, const Path& path, std::size_t robot = 0);
 
 /// The claim that 95 % of the runs arrive before `by_s`; `afterwards` ends what was measured.
 Claim arrive_by(double by_s, const std::vector<double>& arrived_s, const std::string& id,
-                const std::string& place, const std::string& statement, const std::string& printed,
-                const std::string& afterwards);
+                const std::string& place, const std::string& statement, const std::string& afterwards);
 
 /// How all robots of a run follow their paths, from some time on.
 struct Tracking {
@@ -70,7 +77,10 @@ std::string text(const std::vector<Tracking>& all, const std::string& what, cons
 /// Mean over the ticks of a run of the pose's NEES; 1 is right.
 double mean_nees(const Run& run, std::size_t robot = 0);
 
-/// The claim of Examples 5.1 and 5.2 that the estimate is consistent enough for control.
+/// The margin of a NEES that counts as 1, as in `consistency`.
+inline constexpr double nees_margin = 0.2;
+
+/// The claim of Examples 5.1 and 5.2 that the estimate that steers is consistent.
 Claim consistent_enough(const std::string& id, const std::string& place, const Runs& runs);
 
 /// |eigenvalues| of F - G L the largest first: (5.5)'s vehicle part with the plant's Jacobians at a pose and

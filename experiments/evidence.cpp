@@ -5,38 +5,46 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/headlines.hpp"
+#include "experiments/quotations.hpp"
+
 namespace incognita {
 namespace {
 
 Claim undecided(Claim claim, std::string why) {
-  claim.verdict = Verdict::undecided;
+  claim.finding = Finding::undecided;
   claim.why = std::move(why);
   return claim;
 }
 
+Finding found(Answer printed, const Instead& instead) {
+  if (printed == Answer::shown) return Finding::holds;
+  if (printed == Answer::undecided) return Finding::undecided;
+  return instead.answer == Answer::shown ? instead.found : Finding::does_not_hold;
+}
+
 }  // namespace
 
-Finding is_above(const Interval& i, double bound) {
-  if (i.low > bound) return Finding::shown;
-  return i.high <= bound ? Finding::refuted : Finding::undecided;
+Answer is_above(const Interval& i, double bound) {
+  if (i.low > bound) return Answer::shown;
+  return i.high <= bound ? Answer::refuted : Answer::undecided;
 }
 
-Finding is_below(const Interval& i, double bound) {
-  if (i.high < bound) return Finding::shown;
-  return i.low >= bound ? Finding::refuted : Finding::undecided;
+Answer is_below(const Interval& i, double bound) {
+  if (i.high < bound) return Answer::shown;
+  return i.low >= bound ? Answer::refuted : Answer::undecided;
 }
 
-Finding agrees(const Interval& i, double value, double margin) {
+Answer agrees(const Interval& i, double value, double margin) {
   return is_above(i, value - margin) && is_below(i, value + margin);
 }
 
-Finding differs(const Interval& i, double value) {
-  return i.low > value || i.high < value ? Finding::shown : Finding::undecided;
+Answer differs(const Interval& i, double value) {
+  return i.low > value || i.high < value ? Answer::shown : Answer::undecided;
 }
 
-Finding happens_in(double share, RunCount count, RunCount of) {
-  return is_above(
-      share_of(static_cast<std::size_t>(count.value), static_cast<std::size_t>(of.value), shown_at), share);
+Answer happens_in(double share, RunCount count, RunCount of) {
+  return is_above(share_of(static_cast<std::size_t>(count.value), static_cast<std::size_t>(of.value)), share);
 }
 
 std::string text(const Interval& i, const std::string& unit) {
@@ -55,23 +63,29 @@ std::string below(double difference) {
   return fmt::format("below 1e{:.0f}", exponent);
 }
 
-Claim assessed(Claim claim, Finding printed, Finding corrected) {
+Claim assessed(Claim claim, Answer printed, Instead instead) {
+  claim.source = source_of(claim.id);
+  claim.headline = headline_of(claim.id);
   if (claim.runs < claim.least_runs)
     return undecided(std::move(claim), fmt::format("it rests on {} run{}, and takes at least {}", claim.runs,
                                                    claim.runs == 1 ? "" : "s", claim.least_runs));
-  if (printed == Finding::undecided) return undecided(std::move(claim), "the interval holds both answers");
-  if (printed == Finding::refuted && corrected == Finding::undecided)
+  if (printed == Answer::undecided) return undecided(std::move(claim), "the interval holds both answers");
+  const bool contradicts = instead.found == Finding::does_not_hold;
+  if (printed == Answer::refuted && instead.answer == Answer::undecided && !contradicts)
     return undecided(std::move(claim), "not as printed; whether as corrected, the interval leaves open");
-  claim.verdict = printed == Finding::shown     ? Verdict::holds
-                  : corrected == Finding::shown ? Verdict::holds_as_corrected
-                                                : Verdict::does_not_hold;
-  if (claim.verdict == Verdict::holds) claim.why.clear();
-  if (claim.verdict == Verdict::does_not_hold && claim.why.empty()) claim.why = "not investigated";
+  claim.finding = found(printed, instead);
+  if (claim.finding == Finding::holds) claim.why.clear();
+  if (claim.finding == Finding::does_not_hold && claim.why.empty()) claim.why = "not investigated";
   return claim;
 }
 
-Claim assessed(std::string id, std::string place, std::string statement, Evidence r, Finding printed,
-               Finding corrected) {
+Claim by_the_method(Claim claim, Answer printed, Instead instead) {
+  claim.by_method = found(printed, instead);
+  return claim;
+}
+
+Claim assessed(std::string id, std::string place, std::string statement, Evidence r, Answer printed,
+               Instead instead) {
   const bool by_chance = r.seeds.value >= 0;
   return assessed({.id = std::move(id),
                    .place = std::move(place),
@@ -81,8 +95,10 @@ Claim assessed(std::string id, std::string place, std::string statement, Evidenc
                    .why = std::move(r.why.words),
                    .runs = by_chance ? r.seeds.value : r.runs.value,
                    .least_runs = by_chance ? enough_runs : 1,
-                   .timed = r.timed},
-                  printed, corrected);
+                   .timed = r.timed,
+                   .rule = r.rule,
+                   .number = std::move(r.number)},
+                  printed, instead);
 }
 
 }  // namespace incognita

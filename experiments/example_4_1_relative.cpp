@@ -27,7 +27,11 @@ VectorXd three(double rx, double ry, double theta) { return Vector3d(theta, rx, 
 const Study& straight_ahead() { return relative(1, "straight", feature_within("ahead", {5, 9}, {0, 0})); }
 const Study& abeam() { return relative(1, "straight", feature_within("abeam", {0, 0}, {3, 9})); }
 
-bool leaves_the_turn(const Study& s) { return s.along_spanned_by(named({"rotation"})); }
+const Vectors turn_of_all = named({"rotation"});
+
+bool leaves_the_turn(const Study& s) { return s.along_spanned_by(turn_of_all); }
+/// Why SOM and TOM do not leave it.
+bool frozen_rows_see_the_turn(const Study& s) { return seen_by_frozen_rows_only(s, turn_of_all); }
 
 bool leaves_distance_and_turn(const Study& s) { return s.along_spanned_by(named({"depth", "rotation"})); }
 
@@ -49,14 +53,15 @@ Claim measurement_matrix() {
     }
   return studied("4.1-relative-H", "(4.23), (4.24)",
                  "H of features parametrized by r = x_f - p is the derivative of (4.12), to 1e-9",
-                 {.printed = "[r_y -r_x]/d^2, -1 in the third column",
+                 {.printed = "[r_y/d^2 -r_x/d^2 -1 ... 0 0 0]",
                   .measured = {"largest difference in {} motions: {}", motions, worst.text()},
+                  .number = exactly("largest difference of the printed entries", worst.printed),
                   .why = "[-r_y r_x]/d^2 for r = x_f - p (what is printed belongs to p - x_f), and -1 in the "
                          "last column, the heading's"},
                  worst, rounding);
 }
 
-std::vector<Claim> one_segment() {
+std::vector<Claim> map_in_one_segment() {
   const Studies maps = maps_of_three();
   const auto found = maps.each([](const Study& s) { return s.left(1); });
   const bool basis = maps.all([](const Study& s) { return s.stripped_spanned_by(1, named({"depth"})); });
@@ -65,39 +70,48 @@ std::vector<Claim> one_segment() {
     in_segment.push_back(listed(s.observable(1)));
     along.push_back(listed(s.observable_along()));
   }
-  const std::vector<std::string> headings(3, "theta");
+  const std::vector<std::string> headings(3, "theta"), nothing(3, "none");
   return {
       studied(3, "4.1-relative-null-space", "(4.25)",
-              "Null space of one segment: the distance of each feature",
-              {.printed = "one vector for each",
+              "The distance of each feature spans the null space of Q_1: one vector for each",
+              {.rule = Rule::dimension,
                .measured = {"dimension with 1/2/3 features in {} motions {}; the printed vectors span it: {}",
-                            motions, joined(found), yes_no(basis)}},
+                            motions, joined(found), yes_no(basis)},
+               .number = number_of("dimension of N(Q_1) with three features, of 7", found[2])},
               basis),
       studied(
-          maps.cases(), "4.1-relative-orientation", "below (4.25)",
+          maps.cases(), "4.1-relative-orientation", "below (4.25), Section 4.4",
           "The orientation is the one state that is observable in one segment, however many features",
-          {.printed = "orientation",
-           .measured = {"states outside the null space with 1/2/3 features: of Q_1 {}; of the motion itself "
-                        "{}, which leaves the turn of all: {}",
+          {.rule = Rule::dimension,
+           .measured = {"states outside the null space with 1/2/3 features: of Q_1 {}; of the motion "
+                        "itself, in three segments, {}; it leaves the turn of all: {}",
                         fmt::join(in_segment, "/"), fmt::join(along, "/"), yes_no(maps.all(leaves_the_turn))},
-           .why = "so it is by Q_1. The text itself doubts it (footnote 2): turning the vehicle and r of all "
-                  "features changes no measurement"},
-          in_segment == headings && along == headings)};
+           .number = exactly("states that three segments of the motion make observable, with one feature",
+                             static_cast<double>(relative().observable_along().size())),
+           .why = "no state is. The text itself doubts it (footnote 2): turning the vehicle and r of all "
+                  "features changes no measurement. Q_1 has it because H is frozen in H F"},
+          InTruth{along == headings, in_truth(along == nothing && maps.all(leaves_the_turn) &&
+                                              maps.all(frozen_rows_see_the_turn))},
+          ByMethod{in_segment == headings})};
 }
 
 Claim footnote() {
   const Spaces spaces = lie(relative_map("planar"));
   const Study& s = relative();
-  const bool turn_alone = are_basis(spaces, s.courses(), named({"rotation"})) && leaves_the_turn(s);
+  const bool turn_alone = are_basis(spaces, s.courses(), turn_of_all) && leaves_the_turn(s);
+  const auto by_som = s.observable(2);
   return studied(
       "4.1-footnote-2", "footnote 2",
-      "By Lie derivatives the orientation with respect to a global frame is not observable for the relative "
-      "map",
-      {.printed = "not observable",
-       .measured = {"Lie derivatives leave {} at {} points, the motion itself {}: heading and map turned, {}",
-                    joined({dimension(spaces)}), motions, joined({s.true_dimension()}),
-                    turn_alone ? "both" : "not both"}},
-      turn_alone);
+      "The orientation with respect to a global frame is not observable for the relative map (by Lie "
+      "derivatives)",
+      {.rule = Rule::dimension,
+       .measured =
+           {"Lie derivatives leave {} at {} points, the motion itself {}: heading and map turned, {}. "
+            "By the SOM of two segments observable: {}",
+            joined({dimension(spaces)}), motions, joined({s.true_dimension()}),
+            turn_alone ? "both" : "not both", listed(by_som)},
+       .number = number_of("dimensions left by the Lie derivatives", dimension(spaces))},
+      InTruth{turn_alone}, ByMethod{std::ranges::count(by_som, "theta") == 0, in_truth(full_in_two(s))});
 }
 
 std::vector<Claim> ahead_and_abeam() {
@@ -109,33 +123,42 @@ std::vector<Claim> ahead_and_abeam() {
   return {
       studied("4.1-ahead", "below (4.25)",
               "With the feature straight ahead (r_y = 0) the unobservable mode of Q_1 is r_x",
-              {.printed = "r_x",
-               .measured = {"dimension {} in {} motions; it is r_x: {}", s.left(1), motions, yes_no(basis)}},
+              {.rule = Rule::dimension,
+               .measured = {"dimension {} in {} motions; it is r_x: {}", s.left(1), motions, yes_no(basis)},
+               .number = number_of("dimension of N(Q_1), feature straight ahead", s.left(1))},
               basis),
       studied(
           "4.1-abeam", "below (4.25)", "With the feature abeam (r_x = 0) the unobservable mode of Q_1 is r_y",
-          {.printed = "r_y",
-           .measured = {"dimension {} in {} motions", beside.left(1), motions},
-           .why = "r_y, and the heading together with r_x: the row H F is zero abeam, so that Q_1 is but H"},
-          beside.stripped_spanned_by(1, always({three(0, 1, 0)})), beside.stripped_spanned_by(1, both))};
+          {.rule = Rule::dimension,
+           .measured = {"dimension {} in {} motions; r_y, and heading with r_x, span it: {}", beside.left(1),
+                        motions, yes_no(beside.stripped_spanned_by(1, both))},
+           .number = number_of("dimension of N(Q_1), feature abeam", beside.left(1)),
+           .why = "there are two: r_y, and the heading together with r_x. The row H F is zero abeam, so that "
+                  "Q_1 is but H"},
+          beside.stripped_spanned_by(1, always({three(0, 1, 0)})),
+          in_truth(beside.stripped_spanned_by(1, both)))};
 }
 
 std::vector<Claim> two_segments() {
   const Studies maps = maps_of_three();
-  const bool by_matrices = maps.all([](const Study&s) { return s.full_rank(2); }),
-             printed = maps.all(fully_observable), turns = maps.all(leaves_the_turn);
+  const bool turns = maps.all(leaves_the_turn) && maps.all(frozen_rows_see_the_turn);
   return {studied(maps.cases(), "4.1-relative-two-segments", "below (4.25)",
-                  "SOM and TOM have full rank in two segments", {.printed = "0", .measured = maps.text()},
-                  by_matrices),
-          studied(maps.cases(), "4.1-relative-observable", "below (4.25), Section 4.4",
+                  "SOM and TOM have full rank in two segments",
+                  {.rule = Rule::dimension,
+                   .measured = maps.text(),
+                   .number = number_of("dimensions left by the SOM of two segments, one feature",
+                                       relative().left(2))},
+                  maps.all(full_in_two)),
+          studied(maps.cases(), "4.1-relative-observable", "below (4.25), Sections 4.4 and 7.1",
                   "Opposite to the world-centric map this system becomes fully observable in two segments",
-                  {.printed = "fully",
-                   .measured = {"{}. What is left is heading and map turned: {}", maps.text(),
-                                turns ? "always" : "not always"},
-                   .why = "up to the orientation of the axes: the map in the vehicle's frame becomes "
-                          "observable, the direction of north does not, with any number of features. SOM and "
-                          "TOM have full rank because H is frozen"},
-                  printed && by_matrices, turns && by_matrices)};
+                  {.rule = Rule::dimension,
+                   .measured = {"{}. What is left is heading and map turned, and only H F sees it: {}",
+                                maps.text(), turns ? "always" : "not always"},
+                   .number = left_in_truth(relative(), ", with one feature"),
+                   .why = "one direction is left for good, with any number of features: the map in the "
+                          "vehicle's frame becomes observable, the direction of north does not. SOM and TOM "
+                          "have full rank because H is frozen"},
+                  InTruth{maps.all(fully_observable), in_truth(turns)}, ByMethod{maps.all(full_in_two)})};
 }
 
 /// Driving on, with the feature straight ahead for good, and abeam at first.
@@ -146,16 +169,21 @@ std::vector<Claim> straight_on() {
   return {
       studied("4.1-ahead-for-good", "below (4.25)",
               "Driving straight at a feature the system remains unobservable, with mode r_x",
-              {.printed = "r_x",
+              {.rule = Rule::dimension,
                .measured =
                    {"{}, in {} motions. SOM leaves r_x: {}; the motion itself r_x and the turn of all: {}",
-                    s.text(), motions, yes_no(mode), yes_no(along)}},
-              mode && along),
+                    s.text(), motions, yes_no(mode), yes_no(along)},
+               .number = left_in_truth(s, ", straight at the feature")},
+              InTruth{along && s.along_contains(r_x)}, ByMethod{mode}),
       studied("4.1-abeam-two-segments", "below (4.25)",
               "With the feature abeam at first SOM and TOM have full rank in two segments",
-              {.printed = "0", .measured = {"{}, in {} motions straight on", beside.text(), motions}},
-              beside.full_rank(2))};
+              {.rule = Rule::dimension,
+               .measured = {"{}, in {} motions straight on", beside.text(), motions},
+               .number = number_of("dimensions left by the SOM of two segments", beside.left(2))},
+              full_in_two(beside))};
 }
+
+std::set<std::string> as_set(const std::vector<std::string>& names) { return {names.begin(), names.end()}; }
 
 Claim pure_rotation() {
   Studies maps("by features");
@@ -165,41 +193,45 @@ Claim pure_rotation() {
                relative(features, "stationary", change));
   const bool one_more = maps.all([](const Study& s) {
     const std::vector<int> expected(3, s.which().features + 1);
-    return s.dimensions() == expected && s.total_dimensions() == expected &&
-           s.true_dimension() == expected[0];
+    return s.dimensions() == expected && s.total_dimensions() == expected;
   });
-  std::set<std::string> seen;
-  for (const Study& s : maps)
-    for (const auto& states : {s.observable(3), s.observable_along()})
-      seen.insert(states.begin(), states.end());
-  return studied(maps.cases(), "4.1-pure-rotation", "below (4.25), Section 4.4",
-                 "Without translation the null space has one vector more, SOM and TOM never have full rank, "
-                 "and neither position nor orientation is recovered",
-                 {.printed = "one more than features",
-                  .measured = {"{}; states outside the null spaces: {}", maps.text(),
-                               listed({seen.begin(), seen.end()})}},
-                 one_more && seen.empty());
+  const bool truly = maps.all([](const Study& s) { return s.true_dimension() == s.which().features + 1; });
+  std::set<std::string> by_som, along;
+  for (const Study& s : maps) {
+    by_som.merge(as_set(s.observable(3)));
+    along.merge(as_set(s.observable_along()));
+  }
+  return studied(
+      maps.cases(), "4.1-pure-rotation", "below (4.25), Section 4.4",
+      "Without translation the null space has one vector more, SOM and TOM never have full rank, "
+      "and neither position nor orientation is recovered",
+      {.rule = Rule::dimension,
+       .measured = {"{}; states outside the null space of SOM: {}, of the motion itself: {}", maps.text(),
+                    listed({by_som.begin(), by_som.end()}), listed({along.begin(), along.end()})},
+       .number = left_in_truth(relative(1, "stationary"), ", at rest, one feature")},
+      InTruth{truly && along.empty()}, ByMethod{one_more && by_som.empty()});
 }
 
 Claim no_rotation() {
   const Study &s = relative(1, "straight"), &ahead = straight_ahead();
-  const bool as_matrices = s.left(2) == 0 && ahead.left(3) > 0;
   return studied(
       2, "4.1-no-rotation", "end of the relative map, Example 4.1",
       "Without rotation the system is completely observable in two segments, except with a feature on the "
       "line of sight",
-      {.printed = "completely",
+      {.rule = Rule::dimension,
        .measured = {"{}: {}; straight ahead: {}", legend, s.numbers(), ahead.numbers()},
-       .why = "up to the axes, as with rotation; on the line of sight the distance is missing too"},
-      as_matrices && fully_observable(s),
-      as_matrices && leaves_the_turn(s) && leaves_distance_and_turn(ahead));
+       .number = left_in_truth(s, ", straight on"),
+       .why = "the turn of all is left, as with rotation; on the line of sight the distance, too"},
+      InTruth{fully_observable(s) && partially_observable(ahead),
+              in_truth(leaves_the_turn(s) && leaves_distance_and_turn(ahead))},
+      ByMethod{full_in_two(s) && never_full(ahead)});
 }
 
 }  // namespace
 
 std::vector<Claim> relative_claims() {
-  return concatenated({measurement_matrix(), one_segment(), footnote(), ahead_and_abeam(), two_segments(),
-                       straight_on(), pure_rotation(), no_rotation()});
+  return concatenated({measurement_matrix(), map_in_one_segment(), footnote(), ahead_and_abeam(),
+                       two_segments(), straight_on(), pure_rotation(), no_rotation()});
 }
 
 }  // namespace incognita::observability_claims::planar

@@ -3,7 +3,7 @@
 //
 // Experiment: the built-in systems `inertial` and `inertial-rb` (azimuth, elevation; and range), motions and
 // rules of observability_claims.hpp; 1 to 3 features, up to 4 anchors, also two of them one above the other;
-// also unaccelerated, in each of the ways that `f = 0` may mean: falling, without gravity, and (f = -g then)
+// also one segment alone, and unaccelerated, in each of the ways that `f = 0` may mean: falling, without gravity, and (f = -g then)
 // at constant velocity under gravity.
 #include "experiments/example_4_2.hpp"
 #include "experiments/common.hpp"
@@ -19,36 +19,53 @@ VectorXd twelve(const Vector3d& p, const Vector3d& v, const Vector3d& psi, const
   return (VectorXd(12) << p, v, psi, feature).finished();
 }
 
+const Vectors yaw = named({"rotation about z"});
+
 const Study& with_anchors(int anchors, int features = 1) { return study(world(features, anchors)); }
+
+/// The motion of one segment.
+const Study& of_one_segment(Case which) {
+  which.segments = 1;
+  return study(which);
+}
 
 std::vector<Claim> without_anchors() {
   const Study& s = study(world());
   const bool basis = for_all({2, 3}, [&](int k) { return s.stripped_spanned_by(k, named({"translation"})); });
   const auto in_som = s.observable(3), along = s.observable_along();
-  const std::vector<std::string> printed{"vx", "vy", "vz", "phi", "theta", "psi"}, ours{"vz", "phi", "theta"};
-  const bool yaws = s.along_contains(named({"rotation about z"}));
+  const std::vector<std::string> printed_of_som{"vx", "vy", "vz", "psi_x", "psi_y", "psi_z"},
+      printed{"vx", "vy", "vz", "phi", "theta", "psi"}, ours{"vz", "phi", "theta"};
+  const bool yaws = s.along_contains(yaw);
   const Studies with_ranges = by_features({1, 2}, {.system = "inertial-rb"});
   return {
       studied("4.2-world-null-space", "(4.35)",
-              "Null space of the SOM: the three translations of vehicle and feature",
-              {.printed = "dimension 3",
+              "The three translations of vehicle and feature span the null space of the SOM",
+              {.rule = Rule::dimension,
                .measured = {"{}, in {} motions; the printed vectors span that of two and three segments: {}. "
                             "The state has {} entries; printed are vectors of 14",
-                            s.text(), motions, yes_no(basis), s.error_states().size()}},
+                            s.text(), motions, yes_no(basis), s.error_states().size()},
+               .number = number_of("dimension of N(Q_SOM) of two segments, of 12", s.left(2))},
               basis),
       studied(
           "4.2-world-recovered", "below (4.35)",
           "Not fully observable: linear velocity and misalignments are recovered, and nothing else",
-          {.printed = "velocity, misalignments",
-           .measured = {"states outside the null space in {} motions: of the SOM {}; of the motion itself {}",
-                        motions, listed(in_som), listed(along)},
+          {.rule = Rule::dimension,
+           .measured =
+               {"states outside the null space in {} motions: of the SOM {}; of the motion itself {}, "
+                "which leaves {} dimensions, the turn about a vertical among them: {}",
+                motions, listed(in_som), listed(along), joined({s.true_dimension()}), yes_no(yaws)},
+           .number = left_in_truth(s),
            .why =
                "of both only what gravity determines: vertical speed, roll and pitch. Turning all about a "
                "vertical changes no measurement, so that heading and horizontal velocity are not recovered"},
-          along == printed, along == ours && yaws && s.true_dimension() == 4),
+          InTruth{along == printed, in_truth(along == ours && yaws && s.true_dimension() == 4)},
+          ByMethod{in_som == printed_of_som}),
       studied(with_ranges.cases(), "4.2-range-bearing-world", "below (4.28), of [19]",
               "With range and bearing the world-centric map is partially observable",
-              {.printed = "partially", .measured = with_ranges.text()}, with_ranges.all(remains_partial))};
+              {.rule = Rule::dimension,
+               .measured = with_ranges.text(),
+               .number = left_in_truth(*with_ranges.begin(), ", with one feature")},
+              InTruth{with_ranges.all(partially_observable)}, ByMethod{with_ranges.all(never_full)})};
 }
 
 Claim few_anchors() {
@@ -61,15 +78,18 @@ Claim few_anchors() {
   Studies anchored("by anchors");
   const Study &one = anchored.add("1:", with_anchors(1)), &two = anchored.add("2:", with_anchors(2)),
               &vertical = anchored.add("2, one above the other:", study(one_above_the_other));
-  const bool but_the_yaw = one.along_spanned_by(about_anchor({"rotation about z"})) && one.full_rank(2);
-  return studied(anchored.cases(), "4.2-few-anchors", "head of Section 4.1.2, below (4.37)",
-                 "One or two anchors leave the system partially observable; it takes more than two",
-                 {.printed = "partially",
-                  .measured = anchored.text(),
-                  .why = "one does: the turn about the vertical through it is left, which is not in the null "
-                         "spaces of SOM and TOM. Two are enough, unless one is above the other"},
-                 one.true_dimension() > 0 && two.true_dimension() > 0,
-                 but_the_yaw && fully_observable(two) && vertical.true_dimension() == 1);
+  const bool but_the_yaw = one.along_spanned_by(about_anchor({"rotation about z"}));
+  return studied(
+      anchored.cases(), "4.2-few-anchors", "head of Section 4.1.2, below (4.37)",
+      "One or two anchors leave the system partially observable; it takes more than two",
+      {.rule = Rule::dimension,
+       .measured = anchored.text(),
+       .number = left_in_truth(two, ", with two anchors"),
+       .why = "two are enough, unless one is above the other; one leaves the turn about the "
+              "vertical through it. By SOM and TOM one is enough"},
+      InTruth{partially_observable(one) && partially_observable(two),
+              in_truth(but_the_yaw && fully_observable(two) && vertical.true_dimension() == 1)},
+      ByMethod{never_full(one) && never_full(two), in_truth(full_in_two(one) && full_in_two(two))});
 }
 
 /// As printed: r in axes of the sensor, f in those of the world.
@@ -89,41 +109,50 @@ Claim anchored_null_space() {
   const auto by_features = each_of({1, 2, 3}, [](int n) { return with_anchors(3, n).left(1); });
   return studied(
       5, "4.2-anchored-null-space", "(4.38)",
-      "Null space of one segment with three or more anchors and one feature",
-      {.printed = "[0 0 0 C r], [r x f 0 f 0]: dimension 2",
+      "With three or more anchors and one feature the two vectors of (4.38) span the null space of Q_1",
+      {.rule = Rule::dimension,
+       .printed = "[0 0 0 C r], [r x f 0 f 0]",
        .measured = {"dimension with 3 and 4 anchors {} and {} in {} motions; with 3 anchors and 1/2/3 "
                     "features {}. The second vector lies in the null space without anchors: {}",
                     three.left(1), four.left(1), motions, joined(by_features), yes_no(without)},
-       .why = "1: the distance of the feature, [0 0 0 r] with r in axes of the world"},
-      both(vectors_4_38), both(named({"depth"})));
+       .number = number_of("dimension of N(Q_1) with three anchors, of 12", three.left(1)),
+       .why = "it has one dimension, the distance of the feature, [0 0 0 r] with r in axes of the world"},
+      both(vectors_4_38), in_truth(both(named({"depth"}))));
 }
 
 std::vector<Claim> three_or_more_anchors() {
-  const Study& three = with_anchors(3);
-  const auto seen = three.observable(1);
+  const Study &three = with_anchors(3), &at_once = of_one_segment(world(1, 3));
+  const auto by_Q_1 = three.observable(1), along = at_once.observable_along();
   Cases cases;
   for (const int anchors : {3, 4})
     for (const int features : {1, 2, 3}) {
       const Study& s = with_anchors(anchors, features);
-      cases.add({{"{} and {}: {}", anchors, features, s.segments_text()}, s.left(2) == 0});
+      cases.add({{"{} and {}: {}", anchors, features, s.segments_text()}, full_in_two(s)});
     }
   return {
-      studied("4.2-anchored-recovered", "below (4.38)",
+      studied(2, "4.2-anchored-recovered", "below (4.38)",
               "With three or more anchors one segment recovers linear velocities only",
-              {.printed = "velocities",
-               .measured = {"states outside N(Q_1) with 3 anchors in {} motions: {}", motions, listed(seen)},
-               .why = "all states of the vehicle"},
-              seen == velocities, seen == of_vehicle && fully_observable(three)),
-      studied(6, "4.2-anchored-two-segments", "below (4.38)",
-              "With three or more anchors the SOM has full rank in two segments",
-              {.printed = "0",
-               .measured = {"dimensions left by SOM and TOM after 1/2/3 segments, anchors and features: {}; "
-                            "by the motion itself, 3 and 1: {}",
-                            cases.text(), three.true_dimension()}},
-              fully_observable(three) && cases.hold())};
+              {.rule = Rule::dimension,
+               .measured = {"states outside the null space with 3 anchors in {} motions: of Q_1 {}; of one "
+                            "segment of the motion itself {}",
+                            motions, listed(by_Q_1), listed(along)},
+               .number = left_in_truth(at_once, " of one segment, with three anchors"),
+               .why = "one segment recovers all states: the feature by the way that is driven in it, which "
+                      "Q_1 leaves, and those of the vehicle, as in Q_1"},
+              InTruth{along == velocities, in_truth(fully_observable(at_once))},
+              ByMethod{by_Q_1 == velocities, in_truth(by_Q_1 == of_vehicle)}),
+      studied(
+          6, "4.2-anchored-two-segments", "below (4.38)",
+          "With three or more anchors the SOM has full rank in two segments",
+          {.rule = Rule::dimension,
+           .measured = {"dimensions left by SOM and TOM after 1/2/3 segments, anchors and features: {}",
+                        cases.text()},
+           .number = number_of("dimensions left by the SOM of two segments, three anchors and one feature",
+                               three.left(2))},
+          cases.hold())};
 }
 
-/// In one segment and in two: how many dimensions are left, and the states that are recovered.
+/// By the method, in one segment and in two: how many dimensions are left, and the states that are recovered.
 struct Recovery {
   std::vector<int> left;
   std::vector<std::string> at_once, then;
@@ -135,30 +164,36 @@ struct Recovery {
     return left == std::vector{4, 1} && at_once == velocities && then == velocities_and_feature;
   }
   bool all_of_vehicle_at_once() const { return left == std::vector{1, 0} && at_once == of_vehicle; }
-  std::string text() const { return fmt::format("{} ({} in one)", joined(left), listed(at_once)); }
 };
 
 Claim anchored_unaccelerated() {
-  const Case three = world(1, 3);
+  const Case three = world(1, 3), falling = unaccelerated(three, Unaccelerated::falls),
+             floating = unaccelerated(three, Unaccelerated::weightless);
   Studies all;
-  const Recovery falling(all.add("falling", study(unaccelerated(three, Unaccelerated::falls)))),
-      floating(all.add("without gravity", study(unaccelerated(three, Unaccelerated::weightless)))),
-      accelerated(all.add("accelerated", study(three)));
-  const auto in_truth = all.each([](const Study& s) { return s.true_dimension(); });
-  const bool ours = falling.all_of_vehicle_at_once() && floating.all_of_vehicle_at_once() &&
-                    accelerated.all_of_vehicle_at_once();
+  const Recovery falls(all.add("falling", study(falling))),
+      floats(all.add("without gravity", study(floating)));
+  const Study &falls_once = of_one_segment(falling), &floats_once = of_one_segment(floating);
+  const bool at_once_as_printed =
+      falls_once.observable_along() == velocities && floats_once.observable_along() == velocities;
+  const auto all_states = [](const Study& s) {
+    return s.observable_along().size() == s.states().size() && fully_observable(s);
+  };
   return studied(
-      all.cases(), "4.2-anchored-unaccelerated", "below (4.38)",
-      "Without acceleration (f = 0) three anchors leave four in one segment, which still recovers linear "
-      "velocities, and one in two, which recover the feature's position and the velocity, but not the "
-      "vehicle's position and orientation",
-      {.printed = "4, then 1",
-       .measured = {"dimensions left by the SOM after 1/2 segments with 3 anchors (and states outside its "
-                    "null space): falling {}; without gravity {}; accelerated {}. By the motion itself {}",
-                    falling.text(), floating.text(), accelerated.text(), joined(in_truth)},
-       .why = "1, then 0: three anchors determine all states of the vehicle at once, accelerated or not"},
-      falling.as_printed() && floating.as_printed() && in_truth == std::vector{0, 0, 0},
-      ours && in_truth == std::vector{0, 0, 0});
+      4, "4.2-anchored-unaccelerated", "below (4.38)",
+      "Without acceleration (f = 0) three anchors leave four modes in one segment, which still recovers "
+      "linear velocities, and one in two, which do not recover the vehicle's position and orientation",
+      {.rule = Rule::dimension,
+       .measured =
+           {"{}. States outside N(Q_1): {}, and {}; one segment of the motion itself leaves {} and {}",
+            all.text(), listed(falls.at_once), listed(floats.at_once), joined({falls_once.true_dimension()}),
+            joined({floats_once.true_dimension()})},
+       .number = left_in_truth(falls_once, " of one segment, falling"),
+       .why = "nothing is left: three anchors determine all states, accelerated or not. Q_1 leaves the "
+              "distance of the feature, and two segments nothing"},
+      InTruth{falls_once.true_dimension() == 4 && floats_once.true_dimension() == 4 && at_once_as_printed,
+              in_truth(all_states(falls_once) && all_states(floats_once))},
+      ByMethod{falls.as_printed() && floats.as_printed(),
+               in_truth(falls.all_of_vehicle_at_once() && floats.all_of_vehicle_at_once())});
 }
 
 LedgerEntry run(const ExperimentSettings& settings) {

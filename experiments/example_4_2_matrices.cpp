@@ -136,14 +136,15 @@ Claim force_matrix() {
   const int left = left_by_transitions(1), left_as_printed = left_by_transitions(-1);
   return studied(
       2, "4.2-F", "(4.30), (4.31)", "F has [x f], of the sign that [x r] has in H, to 1e-9",
-      {.printed = "the same sign",
+      {.printed = "[x f_j], beside [x r]",
        .measured = {"largest difference from exact derivatives in {} motions: printed {:.2g}, ours {}. SOM "
                     "{} distinguish them: it leaves {} and {}. With exact transitions, not turning, the "
                     "printed sign leaves {} and the other {}; the motion itself leaves {}",
                     motions, printed, below(corrected), with_other == s.dimensions() ? "does not" : "does",
                     joined(with_other), joined(s.dimensions()), left_as_printed, left, s.true_dimension()},
+       .number = exactly("largest difference of the printed entries", printed),
        .why = "the other sign: -[f x] beside [r x], f and r in axes of the world"},
-      printed < rounding, corrected < rounding && left == s.true_dimension());
+      printed < rounding, as_corrected(corrected < rounding && left == s.true_dimension()));
 }
 
 Claim partials() {
@@ -154,11 +155,13 @@ Claim partials() {
     as_printed(1, 1) *= -1;
     worst.take(as_printed, b.A, b.exact.H.rightCols(3) * b.C.transpose());
   }
-  return studied("4.2-partials", "(4.34)", "Derivative of azimuth and elevation by r^s, to 1e-9",
-                 {.printed = "second row [-, +, +], and 0_2x3 in the first",
-                  .measured = {"largest difference in {} motions: {}", motions, worst.text()},
-                  .why = "[-r_x r_z, -r_y r_z, d^2]/(d (d^2 + r_z^2)), and one 0"},
-                 worst, rounding);
+  return studied(
+      "4.2-partials", "(4.34)", "Derivative of azimuth and elevation by r^s, to 1e-9",
+      {.printed = "second row [-r_x r_z, r_y r_z, (d^s)^2]/(d^s ((d^s)^2 + r_z^2)), 0_2x3 in the first",
+       .measured = {"largest difference in {} motions: {}", motions, worst.text()},
+       .number = exactly("largest difference of the printed entries", worst.printed),
+       .why = "[-r_x r_z, -r_y r_z, d^2]/(d (d^2 + r_z^2)), and one 0"},
+      worst, rounding);
 }
 
 /// dz/dr^s [-I 0 [x r] of_feature I], by one reading: whether C stands behind dz/dr^s, r in axes of the
@@ -197,14 +200,20 @@ std::vector<Claim> measurement_rows() {
   };
   const Worst of_feature = nearest_and_ours(false), of_anchors = nearest_and_ours(true);
   return {studied("4.2-H", "(4.32), (4.33)", "H is dz/dr^s [-I 0 [x r] I], to 1e-9",
-                  {.measured = {"largest difference from exact derivatives in {} motions: {}", motions,
+                  {.printed = "(dz/dr^s) [-I 0 [x r] I]",
+                   .measured = {"largest difference from exact derivatives in {} motions: {}", motions,
                                 of_feature.text()},
+                   .number = exactly("largest difference of the printed entries, by their best reading",
+                                     of_feature.printed),
                    .why = "dz/dr^s C [-I 0 [r x] I], r in axes of the world"},
                   of_feature, rounding),
           studied("4.2-anchored-H", "(4.36), (4.37)",
                   "Rows of H for an anchor are dz/dr^s [-I 0 [x r] 0], with its r, to 1e-9",
-                  {.measured = {"largest difference from exact derivatives in {} motions, three anchors: {}",
+                  {.printed = "(dz/dr^s) [-I 0 [x r] 0]",
+                   .measured = {"largest difference from exact derivatives in {} motions, three anchors: {}",
                                 motions, of_anchors.text()},
+                   .number = exactly("largest difference of the printed entries, by their best reading",
+                                     of_anchors.printed),
                    .why = "dz/dr^s C [-I 0 [r x] 0], r in axes of the world"},
                   of_anchors, rounding)};
 }

@@ -15,7 +15,11 @@ VectorXd nine(const Vector3d& r, const Vector3d& v, const Vector3d& psi) {
   return (VectorXd(9) << v, psi, r).finished();
 }
 
-bool leaves_the_yaw(const Study& s) { return s.along_spanned_by(named({"rotation about z"})); }
+/// The turn about a vertical, which the motion itself leaves and nothing but frozen rows sees.
+bool leaves_the_yaw(const Study& s) {
+  const Vectors turn = named({"rotation about z"});
+  return s.along_spanned_by(turn) && seen_by_frozen_rows_only(s, turn);
+}
 
 /// dz/dr^s C [of_r I 0 [r x] of_psi], against exact derivatives.
 double wrong_rows(double of_r, double of_psi) {
@@ -32,9 +36,10 @@ Claim measurement_matrix() {
       "4.2-relative-H", "(4.39), (4.40)",
       "The measurement is [-I 0 [x r]] of features parametrized by r = x_f - p, to 1e-9 (before it dz/dr^s "
       "C)",
-      {.printed = "-I",
+      {.printed = "[-I 0 [x r]]",
        .measured = {"largest difference from exact derivatives in {} motions, either sign of [x r]: {}",
                     motions, worst.text()},
+       .number = exactly("largest difference of the printed entries, by their best reading", worst.printed),
        .why = "[I 0 [r x]]: I, as (4.41) has it, for r = x_f - p; -I is for p - x_f"},
       worst, rounding);
 }
@@ -94,95 +99,134 @@ Claim entries() {
   return studied(
       "4.2-relative-Q1-entries", "(4.41)",
       "Q_1 is H, H F and H F F with these entries, and nothing more, to 1e-9",
-      {.printed = "[A 0 A x r], [0 A 0], [0 0 A x f] with A = dz/dr^s",
+      {.printed = "[dz/dr^s 0 dz/dr^s x r], [0 dz/dr^s 0], [0 0 dz/dr^s x f]",
        .measured =
            {"largest difference from exact derivatives in {} motions: printed {:.2g}, with A C for A {:.2g}, "
             "ours {}; H F F F is {}. The null space of the printed rows is that of (4.42) with C r: {}",
             motions, printed, without_minus, below(corrected), below(third), yes_no(explains)},
-       .why = "A C for A, -A C in the row of v (r' = -v), r and f in axes of the world. C is why (4.42) has "
-              "C r for r"},
-      printed < rounding && third < rounding, corrected < rounding && third < rounding && explains);
+       .number = exactly("largest difference of the printed entries, by their best reading", printed),
+       .why =
+           "with A = dz/dr^s: A C for A, -A C in the row of v (r' = -v), r and f in axes of the world. C is why (4.42) has "
+           "C r for r"},
+      printed < rounding && third < rounding,
+      as_corrected(corrected < rounding && third < rounding && explains));
 }
 
-std::vector<Claim> one_segment() {
+Claim null_space_of_one_segment() {
   const Study& s = study(relative());
   const auto basis = [&](bool as_printed) {
     return s.stripped_spanned_by(1, [&](const Course& c) { return vectors_4_42(c, as_printed); });
   };
-  const auto seen = s.observable(1);
-  const int of_v = dimension_within(s.stripped(1), 0, 3), of_psi = dimension_within(s.stripped(1), 3, 3),
-            of_r = dimension_within(s.stripped(1), 6, 3);
-  const auto in_part = [](int left) { return left == 1 || left == 2; };
+  return studied("4.2-relative-null-space", "(4.42), (4.43)",
+                 "The three vectors of (4.42), zeta of the form (4.43), span the null space of Q_1",
+                 {.rule = Rule::dimension,
+                  .printed = "[C r 0 0], [zeta 0 f], [0 C r 0]",
+                  .measured = {"dimension {} of 9 in {} motions; spanned with C r: {}, with r: {}", s.left(1),
+                               motions, yes_no(basis(true)), yes_no(basis(false))},
+                  .number = number_of("dimension of N(Q_1), of 9", s.left(1)),
+                  .why = "r in axes of the world, as f, in place of C r. zeta is r x f up to sign and "
+                         "multiples of r, which put its zero along r_y as printed"},
+                 basis(true), as_corrected(basis(false)));
+}
+
+/// In how many dimensions of three r, psi and v are left open.
+struct LeftOpen {
+  int r, psi, v;
+
+  /// The states of the error form and of the equations are in the same order.
+  explicit LeftOpen(const Spaces& spaces)
+      : r(dimension_within(spaces, 6, 3)),
+        psi(dimension_within(spaces, 3, 3)),
+        v(dimension_within(spaces, 0, 3)) {}
+  /// Of relative position and misalignment.
+  bool partly() const { return (r == 1 || r == 2) && (psi == 1 || psi == 2); }
+  std::string text() const {
+    return fmt::format("{} of r, {} of psi, {} of v", joined({r}), joined({psi}), joined({v}));
+  }
+};
+
+std::vector<Claim> one_segment() {
+  const Study& s = study(relative());
+  Case once = relative();
+  once.segments = 1;
+  const LeftOpen by_Q_1(s.stripped(1)), along(study(once).along());
   return {
       studied("4.2-relative-Q1", "(4.41)", "Q_1 has six independent rows",
-              {.printed = "6", .measured = {"rank {} of 9 in {} motions", 9 - s.left(1), motions}},
+              {.rule = Rule::dimension,
+               .measured = {"rank {} of 9 in {} motions", 9 - s.left(1), motions},
+               .number = exactly("rank of Q_1, of 9", 9 - s.left(1))},
               s.left(1) == 3),
-      studied("4.2-relative-null-space", "(4.42), (4.43)", "Null space of one segment",
-              {.printed = "[C r 0 0], [zeta 0 f], [0 C r 0]: dimension 3",
-               .measured = {"dimension {} of 9 in {} motions; spanned with C r: {}, with r: {}", s.left(1),
-                            motions, yes_no(basis(true)), yes_no(basis(false))},
-               .why = "r in axes of the world, as f, in place of C r. zeta is r x f up to sign and multiples "
-                      "of r, which put its zero along r_y as printed or, as the text has it, along r_x"},
-              basis(true), basis(false)),
-      studied("4.2-relative-partially", "below (4.43)",
+      null_space_of_one_segment(),
+      studied(2, "4.2-relative-partially", "below (4.43)",
               "Relative position and misalignment can only be partially reconstructed in one segment",
-              {.printed = "partially",
-               .measured = {"directions of three that N(Q_1) leaves open in {} motions: of r {}, of psi {}, "
-                            "of v {}; states outside it: {}",
-                            motions, joined({of_r}), joined({of_psi}), joined({of_v}), listed(seen)}},
-              seen.empty() && in_part(of_r) && in_part(of_psi))};
+              {.rule = Rule::dimension,
+               .measured = {"directions of three left open in {} motions: by N(Q_1) {}; by one segment of "
+                            "the motion itself {}",
+                            motions, by_Q_1.text(), along.text()},
+               .number = left_in_truth(study(once), " of one segment")},
+              InTruth{along.partly()}, ByMethod{by_Q_1.partly()})};
 }
 
 std::vector<Claim> two_segments() {
   const Study &s = study(relative()), &more = study(relative(2));
-  const bool full = s.full_rank(2);
   const bool leaves = std::ranges::none_of(s.courses(), [](const Course& c) { return c.stays; });
   return {studied(2, "4.2-relative-two-segments", "(4.44)",
                   "SOM and TOM have full rank in two segments, although N(Q_j) is not within N(F_j)",
-                  {.printed = "0",
+                  {.rule = Rule::dimension,
                    .measured = {"{}, in {} motions; (4.9) holds in {}, and with two features in {}", s.text(),
-                                motions, leaves ? "none" : "some", more.stays() ? "all" : "not all"}},
-                  full && leaves),
+                                motions, leaves ? "none" : "some", more.stays() ? "all" : "not all"},
+                   .number = number_of("dimensions left by the SOM of two segments", s.left(2))},
+                  full_in_two(s) && leaves),
           studied("4.2-relative-observable", "head of Section 4.1.2",
                   "The relative map makes bearing-only SLAM with inertial sensors fully observable",
-                  {.printed = "fully",
-                   .measured = {"{}, in {} motions", s.text(), motions},
-                   .why = "up to the heading: turning all about a vertical changes no measurement. SOM and "
+                  {.rule = Rule::dimension,
+                   .measured = {"{}, in {} motions; what is left is the turn about a vertical, and only H F "
+                                "sees it: {}",
+                                s.text(), motions, yes_no(leaves_the_yaw(s))},
+                   .number = left_in_truth(s),
+                   .why = "the heading is not: turning all about a vertical changes no measurement. SOM and "
                           "TOM have full rank because H is frozen"},
-                  fully_observable(s), leaves_the_yaw(s) && full)};
+                  InTruth{fully_observable(s), in_truth(leaves_the_yaw(s))}, ByMethod{full_in_two(s)})};
 }
 
 Claim range_and_bearing() {
   const Studies maps = by_features({1, 2}, relative_map("inertial-rb"));
-  const bool as_matrices = maps.all([](const Study& s) { return s.left(2) == 0; });
-  return studied(
-      maps.cases(), "4.2-range-bearing-relative", "below (4.28), of [19]",
-      "With range and bearing the relative map is completely observable in two segments",
-      {.printed = "completely", .measured = maps.text(), .why = "up to the heading, as with bearings alone"},
-      as_matrices && maps.all(fully_observable), as_matrices && maps.all(leaves_the_yaw));
+  return studied(maps.cases(), "4.2-range-bearing-relative", "below (4.28), of [19]",
+                 "With range and bearing the relative map is completely observable in two segments",
+                 {.rule = Rule::dimension,
+                  .measured = maps.text(),
+                  .number = left_in_truth(*maps.begin(), ", with one feature"),
+                  .why = "the heading is not, as with bearings alone"},
+                 InTruth{maps.all(fully_observable), in_truth(maps.all(leaves_the_yaw))},
+                 ByMethod{maps.all(full_in_two)});
 }
 
 std::vector<Claim> unaccelerated_claims() {
   const Study &falls = study(unaccelerated(relative(), Unaccelerated::falls)),
               &weightless = study(unaccelerated(relative(), Unaccelerated::weightless));
   const auto leaves = [](const Study& s) { return s.left(1) == 5 && s.left(2) == 2; };
-  const std::vector<std::string> velocities{"vx", "vy", "vz"};
+  const std::vector<std::string> velocities{"vx", "vy", "vz"}, of_vertical{"vz", "phi", "theta", "rz_1"};
   return {
       studied(3, "4.2-relative-unaccelerated", "below (4.44)",
               "Without acceleration (f = 0) the rank of Q_1 is four, and the SOM of two segments leaves two",
-              {.printed = "4 of 9, 2",
-               .measured = {"{}, in {} motions: {}", legend, motions, by_unaccelerated(relative())}},
+              {.rule = Rule::dimension,
+               .measured = {"{}, in {} motions: {}", legend, motions, by_unaccelerated(relative())},
+               .number = number_of("dimensions left by the SOM of two segments, falling", falls.left(2))},
               leaves(falls) && leaves(weightless)),
-      studied(2, "4.2-relative-unaccelerated-recovered", "below (4.44)",
-              "Without acceleration (f = 0) the only observable state is the linear velocity",
-              {.printed = "velocity",
-               .measured = {"states outside the null space, falling and without gravity: of the SOM of two "
-                            "segments {}, and {}; of the motion itself {}, and {}",
-                            listed(falls.observable(2)), listed(weightless.observable(2)),
-                            listed(falls.observable_along()), listed(weightless.observable_along())},
-               .why = "falling, gravity determines the vertical: speed and distance along it, roll and "
-                      "pitch. Without gravity no length and no direction is observable"},
-              falls.observable_along() == velocities && weightless.observable_along() == velocities)};
+      studied(
+          2, "4.2-relative-unaccelerated-recovered", "below (4.44)",
+          "Without acceleration (f = 0) the only observable state is the linear velocity",
+          {.rule = Rule::dimension,
+           .measured = {"states outside the null space, falling and without gravity: of the SOM of two "
+                        "segments {}, and {}; of the motion itself {}, and {}",
+                        listed(falls.observable(2)), listed(weightless.observable(2)),
+                        listed(falls.observable_along()), listed(weightless.observable_along())},
+           .number = left_in_truth(weightless, ", without gravity"),
+           .why = "falling, gravity determines the vertical: speed and distance along it, roll and "
+                  "pitch. Without gravity no length and no direction is observable"},
+          InTruth{falls.observable_along() == velocities && weightless.observable_along() == velocities,
+                  in_truth(falls.observable_along() == of_vertical && weightless.observable_along().empty())},
+          ByMethod{falls.observable(2) == velocities && weightless.observable(2) == velocities})};
 }
 
 }  // namespace

@@ -28,7 +28,11 @@ std::vector<int> dimensions_with_zero(const Study& s) {
   return each_of({1, 2, 3}, [&](int k) { return dimension(stripped_with(s, k, zero_heading)); });
 }
 
-bool leaves_turn_and_scale(const Study& s) { return s.along_spanned_by(named({"rotation", "scale"})); }
+const Vectors turn_and_scale = named({"rotation", "scale"});
+
+bool leaves_turn_and_scale(const Study& s) { return s.along_spanned_by(turn_and_scale); }
+/// Why SOM and TOM do not leave them.
+bool frozen_rows_see_both(const Study& s) { return seen_by_frozen_rows_only(s, turn_and_scale); }
 
 Studies maps_of_three() { return by_features({1, 2, 3}, relative_map("planar-cv")); }
 
@@ -52,9 +56,10 @@ Claim first_segment() {
   }
   return studied(
       "4.3-relative-Q1", "(4.50), (4.51)", "Q_1 with H of (4.24), to 1e-9",
-      {.printed = "0 in the columns of heading and turn rate",
+      {.printed = "[r_y/d^2 -r_x/d^2 0 0 0 0; 0 0 0 r_y/d^2 -r_x/d^2 0]",
        .measured = {"largest difference from exact derivatives in {} motions: {}", motions, worst.text()},
-       .why = "-1 there, as (4.24) has it (r is p - x_f here)"},
+       .number = exactly("largest difference of the printed entries", worst.printed),
+       .why = "-1 in the columns of heading and turn rate, as (4.24) has it (r is p - x_f here)"},
       worst, rounding);
 }
 
@@ -73,22 +78,32 @@ std::vector<Claim> one_segment() {
   };
   const bool of_zero = are_basis(stripped_with(s, 1, zero_heading), s.courses(), printed);
   const bool as_printed = s.stripped_spanned_by(1, printed);
-  const auto seen = s.observable(1);
+  const Study& once = study({.system = "planar-cv", .representation = "relative", .segments = 1});
+  const auto by_Q_1 = s.observable(1), along = once.observable_along();
   return {
+      studied("4.3-relative-null-space", "(4.52)", "The four vectors of (4.52) span the null space of Q_1",
+              {.rule = Rule::dimension,
+               .printed = "[r 0 0 0], [0 0 r 0], [0 0 1 0 0 0], [0 0 0 0 0 1]",
+               .measured = {"dimension {} of 6 in {} motions; the printed vectors span it: {}; with the 0 of "
+                            "(4.51): {}",
+                            s.left(1), motions, yes_no(as_printed), yes_no(of_zero)},
+               .number = number_of("dimension of N(Q_1), of 6", s.left(1)),
+               .why = "heading and turn rate only together with the turned r: [-r_y r_x 1 0 0 0], [0 0 0 r_y "
+                      "-r_x 1] with r = x_f - p. What is printed comes of the 0 in (4.51)"},
+              as_printed, as_corrected(s.stripped_spanned_by(1, ours) && of_zero)),
       studied(
-          "4.3-relative-null-space", "(4.52)", "Null space of one segment",
-          {.printed = "[r 0 0 0], [0 0 r 0], heading, turn rate: dimension 4",
-           .measured =
-               {"dimension {} of 6 in {} motions; the printed vectors span it: {}; with the 0 of (4.51): {}",
-                s.left(1), motions, yes_no(as_printed), yes_no(of_zero)},
-           .why = "dimension 4, but heading and turn rate only together with the turned r: [-r_y r_x 1 0 0 "
-                  "0], [0 0 0 r_y -r_x 1] with r = x_f - p"},
-          as_printed, s.stripped_spanned_by(1, ours)),
-      studied(
-          "4.3-relative-instant", "below (4.52)",
-          "No state is completely observable in one segment, not even the orientation",
-          {.printed = "none", .measured = {"states outside N(Q_1) in {} motions: {}", motions, listed(seen)}},
-          seen.empty())};
+          2, "4.3-relative-instant", "below (4.52)",
+          "No state is completely observable in one segment, not even the orientation; four modes are "
+          "unobservable",
+          {.rule = Rule::dimension,
+           .measured = {"states outside the null space in {} motions: of Q_1, which leaves {}, {}; of one "
+                        "segment of the motion itself, which leaves {}, {}",
+                        motions, s.left(1), listed(by_Q_1), joined({once.true_dimension()}), listed(along)},
+           .number = left_in_truth(once, " of one segment"),
+           .why = "the turn rate is: two modes are left, turning all and scaling all"},
+          InTruth{along.empty() && once.true_dimension() == 4,
+                  in_truth(along == std::vector<std::string>{"wz"} && leaves_turn_and_scale(once))},
+          ByMethod{by_Q_1.empty() && s.left(1) == 4})};
 }
 
 Claim more_segments() {
@@ -102,14 +117,17 @@ Claim more_segments() {
   return studied(
       "4.3-relative-two-segments", "(4.53)",
       "Two or more segments leave two modes, orientation and angular velocity",
-      {.printed = "heading, turn rate: dimension 2",
+      {.rule = Rule::dimension,
        .measured = {"{}, in {} motions; with the 0 of (4.51) SOM leaves {}, by (4.53) {}; states outside the "
                     "null space of the motion itself: {}",
                     s.text(), motions, joined(dimensions_with_zero(s)), yes_no(of_zero), listed(seen)},
+       .number = left_in_truth(s),
        .why = "two modes are left, but they are turning all and scaling all; the angular velocity is "
               "recovered. (4.53) comes of the 0 in (4.51); with -1 the SOM of three segments has full rank"},
-      s.stripped_spanned_by(2, printed) && s.stripped_spanned_by(3, printed) && s.along_spanned_by(printed),
-      leaves_turn_and_scale(s) && std::ranges::count(seen, "wz") > 0 && of_zero && third_takes_both);
+      InTruth{s.along_spanned_by(printed),
+              in_truth(leaves_turn_and_scale(s) && std::ranges::count(seen, "wz") > 0)},
+      ByMethod{s.stripped_spanned_by(2, printed) && s.stripped_spanned_by(3, printed),
+               in_truth(of_zero && third_takes_both)});
 }
 
 Claim more_features() {
@@ -121,54 +139,60 @@ Claim more_features() {
   const auto left = maps.each([](const Study& s) { return s.left(2); });
   return studied(
       maps.cases(), "4.3-relative-features", "below (4.53)",
-      "More features do not change that the SOM of two segments leaves two modes",
-      {.printed = "2",
+      "More features do not change that two modes are left, by the SOM of two segments or the motion itself",
+      {.rule = Rule::dimension,
        .measured = {"{}; left by SOM with the 0 of (4.51): {}", maps.text(), zero.text()},
-       .why = "of the motion itself that is true, which leaves turn and scale with any number. A second "
-              "feature removes one from the null space of the SOM, unless H has the 0 of (4.51)"},
-      left == std::vector{2, 2, 2},
-      maps.all(leaves_turn_and_scale) && zero.hold() && left == std::vector{2, 1, 1});
+       .number = left_in_truth(relative(3), ", with three features"),
+       .why = "a second feature removes one from the null space of the SOM, unless H has the 0 of (4.51)"},
+      InTruth{maps.all(leaves_turn_and_scale)},
+      ByMethod{left == std::vector{2, 2, 2}, in_truth(zero.hold() && left == std::vector{2, 1, 1})});
 }
 
 Claim must_move() {
   const Study &s = relative(), &rest = relative(1, "stationary");
-  const auto seen = s.observable_along();
-  const bool recovered = std::ranges::count(seen, "rx_1") > 0 && std::ranges::count(seen, "ry_1") > 0;
-  const bool lost = rest.true_dimension() > s.true_dimension() && rest.dimensions() == std::vector{4, 4, 4};
+  const auto seen = s.observable_along(), by_som = s.observable(3);
+  const auto has_position = [](const std::vector<std::string>& states) {
+    return std::ranges::count(states, "rx_1") > 0 && std::ranges::count(states, "ry_1") > 0;
+  };
+  const bool lost = rest.true_dimension() > s.true_dimension(),
+             lost_by_som = rest.dimensions() == std::vector{4, 4, 4} && !has_position(rest.observable(3));
   return studied(
       2, "4.3-relative-moving", "below (4.53)",
-      "The velocity must be nonzero to at least recover the relative positions",
-      {.printed = "recovered",
-       .measured = {"{}: moving {}, at rest {}; states outside the null space of the motion itself: {}",
-                    legend, s.numbers(), rest.numbers(), listed(seen)},
-       .why = "moving recovers them up to scale and turn, with any number of features"},
-      lost && recovered, lost && maps_of_three().all(leaves_turn_and_scale));
+      "The velocity must be nonzero to at least recover the relative positions: moving recovers them",
+      {.rule = Rule::dimension,
+       .measured = {"{}: moving {}, at rest {}; states outside the null space moving: of the SOM of three "
+                    "segments {}; of the motion itself {}",
+                    legend, s.numbers(), rest.numbers(), listed(by_som), listed(seen)},
+       .number = left_in_truth(s, ", moving"),
+       .why = "moving recovers more than resting, but not the relative positions, which are left to turn and "
+              "to scale, with any number of features"},
+      InTruth{lost && has_position(seen), in_truth(lost && maps_of_three().all(leaves_turn_and_scale))},
+      ByMethod{lost_by_som && has_position(by_som)});
 }
 
-Claim never_full() {
+Claim never_fully_observable() {
   const Studies maps = maps_of_three();
-  const auto unless_zero = [](const Study& s) { return s.full_rank(3) && dimensions_with_zero(s)[2] > 0; };
-  const Cases in_truth = by_number({1, 2, 3}, [](int features) -> CaseResult {
-    const Study& s = relative(features);
-    return {{"{}, with the 0 of (4.51) {}", s.numbers(), joined(dimensions_with_zero(s))},
-            leaves_turn_and_scale(s)};
-  });
+  const auto full_unless_zero = [](const Study& s) {
+    return s.full_rank(3) && dimensions_with_zero(s)[2] > 0;
+  };
+  const bool frozen = maps.all(frozen_rows_see_both);
   return studied(
       3, "4.3-relative-never", "end of Example 4.3",
       "No relative map of a constant-velocity model is fully observable, or reaches the rank condition",
-      {.printed = "none",
-       .measured = {"{}, by features: {}", legend, in_truth.text()},
-       .why = "none is, as the motion itself leaves turn and scale. But SOM and TOM have full rank in three "
-              "segments, unless H has the 0 of (4.51)"},
-      in_truth.hold() && maps.all([](const Study& s) { return s.rank_deficient(3); }),
-      in_truth.hold() && maps.all(unless_zero));
+      {.rule = Rule::dimension,
+       .measured = {"{}. With the 0 of (4.51) SOM leaves some of three segments, with -1 nothing: {}; turn "
+                    "and scale are seen only by H F, in which H is frozen: {}",
+                    maps.text(), yes_no(maps.all(full_unless_zero)), yes_no(frozen)},
+       .number = left_in_truth(relative())},
+      InTruth{maps.all(leaves_turn_and_scale)},
+      ByMethod{maps.all(never_full), in_truth(maps.all(full_unless_zero) && frozen)});
 }
 
 }  // namespace
 
 std::vector<Claim> planar_cv_relative_claims() {
-  return concatenated(
-      {first_segment(), one_segment(), more_segments(), more_features(), must_move(), never_full()});
+  return concatenated({first_segment(), one_segment(), more_segments(), more_features(), must_move(),
+                       never_fully_observable()});
 }
 
 }  // namespace incognita::observability_claims

@@ -15,7 +15,7 @@ namespace {
 
 const Vector3d zero = Vector3d::Zero();
 
-const Study& world(int anchors, int features = 1) {
+const Study& in_space(int anchors, int features = 1) {
   return study({.system = "cv6", .features = features, .anchors = anchors});
 }
 
@@ -84,45 +84,52 @@ Basis our_vectors(const Course& course) {
 }
 
 std::vector<Claim> one_segment_in_space() {
-  const Study &one = world(1), &two = world(2);
+  const Study &one = in_space(1), &two = in_space(2);
   const auto inside = [](bool feature_in_axes_of_world) {
-    return each_of({0, 1, 2}, [&](int n) { return printed_inside(world(n), feature_in_axes_of_world); });
+    return each_of({0, 1, 2}, [&](int n) { return printed_inside(in_space(n), feature_in_axes_of_world); });
   };
   const std::vector<int> as_printed = inside(false), in_world = inside(true);
   const bool ours = one.stripped_spanned_by(1, our_vectors);
   return {studied(2, "4.4-null-space", "(4.56)",
-                  "With two anchors one segment leaves seven dimensions unobservable and eight combinations "
-                  "of states observable",
-                  {.printed = "dimension 7, rank 8",
+                  "With two anchors the null space of Q_1 has dimension seven, so that it has eight "
+                  "combinations of states",
+                  {.rule = Rule::dimension,
                    .measured = {"dimension with 1/2 anchors in {} motions {}/{}, rank {}/{}", motions,
                                 one.left(1), two.left(1), 15 - one.left(1), 15 - two.left(1)},
-                   .why = "with one anchor; two leave three"},
-                  two.left(1) == 7, ours && two.left(1) == 3),
-          studied(3, "4.4-basis", "(4.56)", "Vectors of that null space",
-                  {.printed = "[0 C_i' x r 0 e_i 0], [[x r]_i 0 e_i 0 0], [0 0 0 0 r^s]",
+                   .number = number_of("dimension of N(Q_1) with two anchors, of 15", two.left(1)),
+                   .why = "two anchors leave three, and twelve combinations; seven are left by one"},
+                  two.left(1) == 7, in_truth(ours && two.left(1) == 3)),
+          studied(3, "4.4-basis", "(4.56)",
+                  "The seven vectors of (4.56) lie in that null space, with one anchor or with two",
+                  {.rule = Rule::dimension,
+                   .printed = "[0 C_i' x r 0 e_i 0], [[x r]_i 0 e_i 0 0], [0 0 0 0 -r^s]",
                    .measured = {"in the null space with 0/1/2 anchors: {} of 7, {} with r for r^s; ours span "
                                 "it with one anchor: {}",
                                 joined(as_printed), joined(in_world), yes_no(ours)},
+                   .number = exactly("vectors of seven in the null space with one anchor", as_printed[1]),
                    .why = "they belong to a camera without anchors. With one anchor at b: [0 0 0 0 r], [b 0 "
                           "0 0 b], [b x e_i 0 e_i 0 (b - r) x e_i], and two of v and omega, one of them "
                           "turning about d = r - b: [0 b x d 0 C d 0]"},
-                  as_printed[1] == 7 || as_printed[2] == 7, ours && in_world[0] == 7)};
+                  as_printed[1] == 7 || as_printed[2] == 7, in_truth(ours && in_world[0] == 7))};
 }
 
 Claim rows() {
   const auto rows = [](int anchors, int features) {
-    return world(anchors, features).courses()[0].forms[0].H.rows();
+    return in_space(anchors, features).courses()[0].forms[0].H.rows();
   };
   const auto three = rows(3, 1), four = rows(4, 1);
   const bool general = three == 8 && four == 10 && rows(3, 2) == 10 && rows(4, 2) == 12;
-  return assessed("4.4-rows", "below (4.56)",
-                  "With one feature and three or more anchors H has ten rows, in general 2 nm + 2 na",
-                  {.printed = "10",
-                   .measured = {"with 3 anchors {}, with 4 {}; in general {}", three, four,
-                                general ? "2 nm + 2 na" : "other numbers"},
-                   .why = "eight with three anchors; ten are four's",
-                   .runs = 4},
-                  general && three == 10, general);
+  return assessed(
+      "4.4-rows", "below (4.56)",
+      "With one feature and three or more anchors H has ten rows, in general 2 nm + 2 na",
+      {.rule = Rule::dimension,
+       .printed = "10 x n, 2nm + 2na x n",
+       .measured = {"with 3 anchors {}, with 4 {}; in general {}", three, four,
+                    general ? "2 nm + 2 na" : "other numbers"},
+       .number = exactly("rows of H with one feature and three anchors", static_cast<double>(three)),
+       .why = "eight with three anchors; ten are four's",
+       .runs = 4},
+      general && three == 10, as_corrected(general && three == 8 && four == 10));
 }
 
 /// Everything turned about the line through the first two anchors.
@@ -137,30 +144,36 @@ Basis turn_about_line(const Course& course) {
 }
 
 std::vector<Claim> two_segments() {
-  const Studies cases = by_anchors({1, 2, 3, 4}, {.system = "cv6"});
-  const bool all = for_all({3, 4}, [](int n) { return observable_in_two(world(n)); });
-  const Study& two = world(2);
+  const Studies cases = by_anchors({1, 2, 3, 4}, {.system = "cv6"}),
+                enough = by_anchors({3, 4}, {.system = "cv6"});
+  const Study& two = in_space(2);
   Studies both("with three anchors");
-  const Study &space = both.add("space", world(3)),
+  const Study &space = both.add("space", in_space(3)),
               &plane = both.add("plane", study({.system = "planar-cv", .anchors = 3}));
   return {
       studied(
           4, "4.4-two-segments", "(4.57)",
-          "With more than two anchors the SOM has full rank, and the system is observable, in two segments",
-          {.printed = "0",
+          "With more than two anchors the system is observable in two segments, and the SOM has full rank",
+          {.rule = Rule::dimension,
            .measured = {"{}. With two SOM and TOM have full rank in two segments: {}; the motion itself "
                         "leaves the turn of all about the line through them: {}",
                         cases.text(), yes_no(two.full_rank(2)),
-                        yes_no(two.along_spanned_by(turn_about_line))}},
-          all),
+                        yes_no(two.along_spanned_by(turn_about_line))},
+           .number = left_in_truth(in_space(3), ", with three anchors")},
+          InTruth{enough.all(fully_observable)}, ByMethod{enough.all(full_in_two)}),
       studied(both.cases(), "4.4-as-on-the-plane", "end of Example 4.4",
-              "That is as with the constant-velocity model of the plane", {.measured = both.text()},
-              space.dimensions() == plane.dimensions() && space.true_dimension() == plane.true_dimension())};
+              "That is as with the constant-velocity model of the plane: with three anchors as many "
+              "dimensions are left",
+              {.rule = Rule::dimension,
+               .measured = both.text(),
+               .number = left_in_truth(plane, " on the plane, with three anchors")},
+              InTruth{space.true_dimension() == plane.true_dimension()},
+              ByMethod{space.dimensions() == plane.dimensions()})};
 }
 
 /// F of (4.55) by misalignments, without the feature's rows and columns; its first state p or r = x_f - p.
 double wrong_F(bool told_from_vehicle) {
-  return largest(world(1), [&](const Course& course) {
+  return largest(in_space(1), [&](const Course& course) {
     const SystemPoint& p = course.points[0];
     const Vector3d angles = p.x.segment<3>(6);
     MatrixXd exact = inertial::misaligned(course.exact[0], angles, 6, p.x.segment<3>(9)).F,
@@ -177,12 +190,13 @@ Claim error_form() {
   return studied(
       "4.4-F", "(4.55) and F below it",
       "The error form of (4.54) is r' = v, v' = 0, psi' = C' omega, omega' = 0, to 1e-9",
-      {.printed = "r' = v",
+      {.printed = "r' = v~",
        .measured =
            {"largest difference of F from exact derivatives in {} motions: for r = x_f - p {:.2g}, for p {}",
             motions, of_r, below(of_p)},
+       .number = exactly("largest difference of the printed F, for r", of_r),
        .why = "p' = v. F is right, but for the feature's zeros, which it leaves out"},
-      of_r < rounding, of_p < rounding);
+      of_r < rounding, as_corrected(of_p < rounding));
 }
 
 LedgerEntry run_example_4_4(const ExperimentSettings& settings) {

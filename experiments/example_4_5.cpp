@@ -59,15 +59,16 @@ Claim model() {
   const double of_equations = either(g1(1, 0), Vector3d(0, -1, 1)),
                of_fields = either(g1(1, -1), Vector3d(0, 0, 1)),
                corrected = wrong_fields(g1(-1, 0), Vector3d(0, -1, 1), false);
-  return studied("4.5-model", "(4.69) to (4.73)",
-                 "The model in polar coordinates follows from (4.11), to 1e-9",
-                 {.printed = "rho' = v cos phi; g_1 = [cos phi, sin phi/rho, -1], g_2 = [0 0 1]",
-                  .measured = {"largest difference in {} motions, r = x_f - p or p - x_f: (4.69) to (4.71) "
-                               "{:.2g}, (4.72) and (4.73) {:.2g}, ours {}",
-                               motions, of_equations, of_fields, below(corrected)},
-                  .why = "rho' = -v cos phi, phi' = (v/rho) sin phi - omega with r = x_f - p: g_1 = [-cos "
-                         "phi, sin phi/rho, 0], g_2 = [0, -1, 1]"},
-                 of_equations < rounding && of_fields < rounding, corrected < rounding);
+  return studied(
+      "4.5-model", "(4.69) to (4.73)", "The model in polar coordinates follows from (4.11), to 1e-9",
+      {.printed = "rho' = v cos phi; g_1 = [cos phi, sin phi/rho, -1], g_2 = [0 0 1]",
+       .measured = {"largest difference in {} motions, r = x_f - p or p - x_f: (4.69) to (4.71) "
+                    "{:.2g}, (4.72) and (4.73) {:.2g}, ours {}",
+                    motions, of_equations, of_fields, below(corrected)},
+       .number = exactly("largest difference of the printed fields", std::max(of_equations, of_fields)),
+       .why = "rho' = -v cos phi, phi' = (v/rho) sin phi - omega with r = x_f - p: g_1 = [-cos "
+              "phi, sin phi/rho, 0], g_2 = [0, -1, 1]"},
+      of_equations < rounding && of_fields < rounding, as_corrected(corrected < rounding));
 }
 
 Claim first_order() {
@@ -79,11 +80,12 @@ Claim first_order() {
                ours = apart_from([](const Polar&at) { return at.by_omega[1] + 1; });
   return studied(
       "4.5-first-order", "(4.74), (4.75)", "Lie derivatives of the bearing along both fields, to 1e-9",
-      {.printed = "sin phi/rho and 0",
+      {.printed = "sin phi/rho, 0",
        .measured = {"largest difference in {} motions: the first {}, the second {:.2g}, from -1 {}", motions,
                     below(first), second, below(ours)},
+       .number = exactly("largest difference of the second", second),
        .why = "the second is -1. Its differential is 0 all the same"},
-      first < rounding && second < rounding, first < rounding && ours < rounding);
+      first < rounding && second < rounding, as_corrected(first < rounding && ours < rounding));
 }
 
 std::vector<Claim> left_by_lie() {
@@ -102,15 +104,17 @@ std::vector<Claim> left_by_lie() {
   });
   return {
       studied("4.5-rank", "(4.76)", "The differentials of all Lie derivatives span two of three dimensions",
-              {.printed = "2 of 3",
+              {.rule = Rule::dimension,
                .measured = {"rank {} at {} points, derivatives of all orders; largest difference of the "
                             "printed second column from d(sin phi/rho) {}",
-                            3 - left[0], motions, below(difference)}},
+                            3 - left[0], motions, below(difference)},
+               .number = exactly("dimensions that the differentials span, of 3", 3 - left[0])},
               left[0] == 1 && difference < rounding),
       studied(3, "4.5-null-space", "(4.77), head of Chapter 4", "What they do not span is the orientation",
-              {.printed = "[0 0 1]: dimension 1",
+              {.rule = Rule::dimension,
                .measured = {"dimension with 1/2/3 features at {} points {}; the heading spans it: {}",
-                            motions, joined(left), yes_no(heading)}},
+                            motions, joined(left), yes_no(heading)},
+               .number = number_of("dimensions left by the Lie derivatives", left[0])},
               heading)};
 }
 
@@ -119,17 +123,19 @@ Claim contrary() {
   const Study &s = study(cartesian), &in_polar = study(polar());
   const Vectors turned = named({"rotation"});
   const Spaces by_lie = lie(cartesian);
-  const bool linear_finds_it = s.full_rank(2),
-             unseen = are_basis(by_lie, s.courses(), turned) && s.along_spanned_by(turned),
-             depends = s.dimensions() != in_polar.dimensions();
-  return studied(2, "4.5-contrary", "below (4.77)",
-                 "The global orientation is not observable, contrary to the result of the linear analysis",
-                 {.printed = "contrary",
-                  .measured = {"{} in {} motions: {}; by Lie derivatives {}: all turned, {}. In polar "
-                               "coordinates {}: the result of SOM and TOM {} on coordinates",
-                               legend, motions, s.numbers(), joined({dimension(by_lie)}), yes_no(unseen),
-                               in_polar.numbers(), depends ? "depends" : "does not depend"}},
-                 linear_finds_it && unseen);
+  const auto by_som = s.observable(2);
+  const bool linear_finds_it = std::ranges::count(by_som, "theta") > 0,
+             unseen = are_basis(by_lie, s.courses(), turned) && s.along_spanned_by(turned);
+  return studied(
+      2, "4.5-contrary", "below (4.77)",
+      "The global orientation is not observable, contrary to the result of the linear analysis",
+      {.rule = Rule::dimension,
+       .measured = {"{} in {} motions: {}; by Lie derivatives {}: all turned, {}. By the SOM of two "
+                    "segments observable: {}. In polar coordinates {}",
+                    legend, motions, s.numbers(), joined({dimension(by_lie)}), yes_no(unseen), listed(by_som),
+                    in_polar.numbers()},
+       .number = number_of("dimensions left by the Lie derivatives", dimension(by_lie))},
+      InTruth{unseen && linear_finds_it}, ByMethod{!linear_finds_it, in_truth(full_in_two(s))});
 }
 
 /// Lie derivatives of the first measurement of a landmark along the field of the input v, and where they are
@@ -193,11 +199,12 @@ Claim recursion() {
   }
   return studied(2, "4.5-recursion", "(4.64), (4.66)",
                  "The differential of a Lie derivative from the one before, orders 1 to 3, to 1e-9",
-                 {.printed = "L dh (g(x)/x) + ...",
+                 {.printed = "L_g^{q-1} dh(x) g(x)/x + ((d/dx (L_g^{q-1} dh(x))') g(x))'",
                   .measured = {"largest difference from gradients of L^q h along g_1 at {} points, in "
                                "Cartesian and polar coordinates: g/x entry by entry {:.2g}, ours {}",
                                motions, worst.printed, below(worst.ours)},
-                  .why = "L dh (dg/dx) + ...: the quotient is a derivative"},
+                  .number = exactly("largest difference of the printed form", worst.printed),
+                  .why = "dg/dx for g(x)/x: the quotient is a derivative"},
                  worst, rounding);
 }
 

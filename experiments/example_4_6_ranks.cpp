@@ -53,21 +53,30 @@ const Run& usual() {
   return run;
 }
 
+const std::vector<Run>& runs_by_method() {
+  static const std::vector<Run> all = [] {
+    std::vector<Run> copies = runs();
+    for (Run& run : copies) run.known = stripped(run.setup);
+    return copies;
+  }();
+  return all;
+}
+
 int phase_of(double t_s) {
   return t_s <= at_rest_until_s + a_bit_s ? 0 : t_s <= north_until_s + a_bit_s ? 1 : 2;
 }
 
 RankCourse ranks_of(const Run& run) { return ranks_of(run.known, run.drive); }
 
-RankCourse ranks_of_all() {
-  RankCourse all = ranks_of(runs().front());
-  for (const Run& run : runs()) {
+RankCourse ranks_of_all(const std::vector<Run>& all) {
+  RankCourse together = ranks_of(all.front());
+  for (const Run& run : all) {
     const RankCourse one = ranks_of(run);
-    all.throughout = all.throughout && one.is(all.at_end);
-    all.least_kept = std::min(all.least_kept, one.least_kept);
-    all.most_left_out = std::max(all.most_left_out, one.most_left_out);
+    together.throughout = together.throughout && one.is(together.at_end);
+    together.least_kept = std::min(together.least_kept, one.least_kept);
+    together.most_left_out = std::max(together.most_left_out, one.most_left_out);
   }
-  return all;
+  return together;
 }
 
 std::string text(const Ranks& ranks) { return fmt::format("{}", fmt::join(ranks, ", ")); }
@@ -78,40 +87,45 @@ std::string text(const RankCourse& course) {
 
 namespace {
 
+/// At rest there is nothing about any state alone.
+bool none_alone(const std::vector<Run>& all) {
+  for (int i = 0; i < states; ++i)
+    if (most(state(i), at_rest_until_s, all) > 0) return false;
+  return true;
+}
+
 std::vector<Claim> ranks() {
   const auto with = [](Jacobians jacobians) { return ranks_of(Run({.jacobians = jacobians})); };
-  const RankCourse all = ranks_of_all(), late = with(Jacobians::odometry_late),
-                   measured = with(Jacobians::measured_speed),
-                   segments = ranks_of(stripped(usual().setup), usual().drive);
+  const RankCourse all = ranks_of_all(), segments = ranks_of_all(runs_by_method()),
+                   late = with(Jacobians::odometry_late), measured = with(Jacobians::measured_speed);
   const Ranks printed{2, 4, 5};
-  bool none_alone = true;
-  for (int i = 0; i < states; ++i) none_alone = none_alone && most(state(i), at_rest_until_s) == 0;
   return {
       tested(
           "4.6-rank", "Figure 4.4, Example 4.6",
-          "Rank of the information matrix at rest, while moving north, while turning to the east",
-          {.printed = text(printed),
-           .measured = {"{}, each from the first measurement of its phase on, in {} settings of noises, "
-                        "steps and features (singular values of the root, of the largest: kept from {:.1e} "
-                        "on, left out {}). The stripped matrix (4.8), each step a segment: {}. The filter "
-                        "with F of the step before: {}; with F by encoder speeds 2 % off: {}; with H where "
-                        "the vehicle was a step ago, at the ends of phases: {}; with F along the tangent: {}",
+          "Rank of the information matrix at rest, while moving north, while turning to the east, from the "
+          "first measurement of each on",
+          {.rule = Rule::dimension,
+           .printed = text(printed),
+           .measured = {"{} in {} settings (singular values of the root, of the largest: kept from {:.1e} "
+                        "on, left out {}); of the matrix (4.8), each step a segment: {}. The filter with F "
+                        "of the step before: {}; with F by encoder speeds 2 % off: {}",
                         text(all), runs().size(), all.least_kept, below(all.most_left_out), text(segments),
-                        text(late), text(measured), text(with(Jacobians::measurements_late).at_end),
-                        text(with(Jacobians::along_tangent))},
-           .why = "2, 3, 4: moving north adds one, the distance to feature 2, and turning one, that to "
-                  "feature 1. What is printed is the rank of (4.8), which freezes H inside a segment; a "
-                  "filter has it when its F and H are not those of one and the same motion. The thesis does "
-                  "not say which of these it used"},
-          all.is(printed),
-          all.is({2, 3, 4}) && segments.is(printed) && late.is(printed) && measured.is(printed)),
+                        text(late), text(measured)},
+           .number = exactly("rank at the end, of 7", all.at_end[2]),
+           .why = "2, 3, 4: moving north adds one, and turning one. What is printed is the rank of (4.8), "
+                  "which freezes H inside a segment; a filter has it, too, when its F is not that of its "
+                  "motion. The thesis does not say which it used"},
+          InTruth{all.is(printed), in_truth(all.is({2, 3, 4}) && late.is(printed) && measured.is(printed))},
+          ByMethod{segments.is(printed)}),
       tested("4.6-stationary", "below Figure 4.4, Example 4.6",
              "At rest only two states are observable, combinations of the positions of vehicle and features "
              "and of the heading: rank 2, and nothing about any state alone",
-             {.printed = "2",
-              .measured = {"rank {}; largest marginal information of a state: {}", all.at_end[0],
-                           none_alone ? "0" : "above 0"}},
-             all.throughout && all.at_end[0] == 2 && none_alone)};
+             {.rule = Rule::dimension,
+              .measured = {"rank {}, of (4.8) {}; some information about a state alone: {}", all.at_end[0],
+                           segments.at_end[0], yes_no(!none_alone(runs()))},
+              .number = exactly("rank at rest, of 7", all.at_end[0])},
+             InTruth{all.throughout && all.at_end[0] == 2 && none_alone(runs())},
+             ByMethod{segments.throughout && segments.at_end[0] == 2 && none_alone(runs_by_method())})};
 }
 
 /// Columns in units, at the end: everything moved north, moved east, turned about the origin.
@@ -131,28 +145,43 @@ double not_among(const MatrixXd& columns, const MatrixXd& unobservable) {
   return (rest.colwise().norm().array() / columns.colwise().norm().array()).maxCoeff();
 }
 
-Claim deficiency() {
-  double modes = 0, turned = 0;
-  int most_missing = 0, least_missing = states;
-  for (const Run& run : runs()) {
-    const Knowledge& last = run.known.back();
-    const MatrixXd rigid = rigid_motions(run);
-    modes = std::max(modes, not_among(rigid.leftCols(2), last.unobservable));
-    turned = std::max(turned, not_among(rigid.rightCols(1), last.unobservable));
-    const int missing = states - last.rank.rank;
-    most_missing = std::max(most_missing, missing), least_missing = std::min(least_missing, missing);
+/// What is missing of the rank at the end, and the observable part of rigid motions.
+struct Deficiency {
+  int most = 0, least = states;
+  double modes = 0, turn = 0;
+
+  explicit Deficiency(const std::vector<Run>& all) {
+    for (const Run& run : all) {
+      const Knowledge& last = run.known.back();
+      const MatrixXd rigid = rigid_motions(run);
+      modes = std::max(modes, not_among(rigid.leftCols(2), last.unobservable));
+      turn = std::max(turn, not_among(rigid.rightCols(1), last.unobservable));
+      most = std::max(most, states - last.rank.rank), least = std::min(least, states - last.rank.rank);
+    }
   }
-  constexpr double same = 1e-9;
-  return tested("4.6-deficiency", "Figure 4.4, Example 4.6",
-                "After 14 s a rank deficiency of two remains: the modes of (4.20), position of the whole to "
-                "the north and to the east (to 1e-9)",
-                {.printed = "2",
-                 .measured = {"{} at the end in {} settings. Observable part of the modes of (4.20) {}, of a "
-                              "turn of everything about the origin {}",
-                              most_missing, runs().size(), below(modes), below(turned)},
-                 .why = "3: the modes of (4.20) and a turn of everything, which changes no bearing either"},
-                most_missing == 2 && least_missing == 2 && modes <= same,
-                most_missing == 3 && least_missing == 3 && modes <= same && turned <= same);
+  bool is(int missing) const { return most == missing && least == missing && modes <= same; }
+  bool has_turn() const { return turn <= same; }
+
+ private:
+  static constexpr double same = 1e-9;
+};
+
+Claim deficiency() {
+  const Deficiency of_filter(runs()), of_stripped(runs_by_method());
+  return tested(
+      "4.6-deficiency", "Figure 4.4, Example 4.6",
+      "After 14 s a rank deficiency of two remains: the modes of (4.20), position of the whole to "
+      "the north and to the east (to 1e-9)",
+      {.rule = Rule::dimension,
+       .measured = {"{} at the end in {} settings, of (4.8) {}. Observable part of the modes of "
+                    "(4.20) {}, of a turn of everything about the origin {}, and by (4.8) {:.2g}",
+                    of_filter.most, runs().size(), of_stripped.most, below(of_filter.modes),
+                    below(of_filter.turn), of_stripped.turn},
+       .number = exactly("rank deficiency at the end", of_filter.most),
+       .why = "three remain: the modes of (4.20) and a turn of everything, which changes no bearing "
+              "either"},
+      InTruth{of_filter.is(2), in_truth(of_filter.is(3) && of_filter.has_turn())},
+      ByMethod{of_stripped.is(2)});
 }
 
 /// How many measurements of all settings have another rank than the information matrix.
@@ -173,16 +202,17 @@ std::vector<Claim> rank_claims() { return concatenated({ranks(), deficiency()});
 Claim link() {
   int measurements = 0;
   for (const Run& run : runs()) measurements += static_cast<int>(run.known.size());
-  const int segments = differing(stripped), motion = differing(along_the_motion);
+  const int by_method = differing(stripped), along = differing(along_the_motion);
   return tested(
       "4.6-link", "Section 4.3, above Example 4.6",
       "The rank of the information matrix at any point is directly linked to that of the observability "
-      "matrix of the system; tested: it is the same after each measurement",
-      {.measured = {"of {} measurements in {} settings it differs at {} from that of (4.8), each step a "
-                    "segment, and at {} from that of [H_0; H_1 F_0; H_2 F_1 F_0; ...] along the motion",
-                    measurements, runs().size(), segments, motion},
-       .why = "to that along the motion, not to the chapter's (4.8)"},
-      segments == 0, motion == 0);
+      "matrix of the system: it is the same after each measurement",
+      {.rule = Rule::dimension,
+       .measured = {"of {} measurements in {} settings it differs at {} from that of [H_0; H_1 F_0; H_2 F_1 "
+                    "F_0; ...] along the motion, and at {} from that of (4.8), each step a segment",
+                    measurements, runs().size(), along, by_method},
+       .number = exactly("measurements at which it differs from the rank along the motion", along)},
+      InTruth{along == 0}, ByMethod{by_method == 0, in_truth(by_method > 0)});
 }
 
 }  // namespace incognita::two_bearings

@@ -1,9 +1,10 @@
-// What Section 5.1 claims, by file: of linear systems, of the separation principle, and of the simulated
-// vehicle.
+// What Section 5.1 claims, by file: of linear systems, of the separation principle, of what the law is given,
+// and of the simulated vehicle.
 #pragma once
 
 #include <vector>
 
+#include "experiments/closed_loop_run.hpp"
 #include "incognita/analysis/observability/linear_system.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/models/motion/planar_vehicle.hpp"
@@ -20,9 +21,16 @@ Eigen::MatrixXd some_matrix(RandomStream& random, Eigen::Index rows, Eigen::Inde
 /// Symmetric, eigenvalues from 0.1 on.
 Eigen::MatrixXd some_weight(RandomStream& random, Eigen::Index size);
 
+/// Where the example's law leads, from (-7, 0).
+inline const Path to_goal = PointPath{{10, 10, 0}};
+closed_loop::Setup example_setup();
+
 std::vector<Claim> regulator_claims();
-/// `free_m`: where runs without known landmarks ended, from the goal.
-std::vector<Claim> separation_claims(const ExperimentSettings& settings, const std::vector<double>& free_m);
+std::vector<Claim> separation_claims(const ExperimentSettings& settings);
+/// What the law is given: the estimate, the truth or nothing. `free`: runs of the example, which has no known
+/// landmarks.
+std::vector<Claim> control_claims(const ExperimentSettings& settings,
+                                  const std::vector<closed_loop::Run>& free);
 /// Of the law on the vehicle whose state is known: what it costs, and when it arrives.
 std::vector<Claim> vehicle_claims(int seeds);
 

@@ -4,9 +4,11 @@
 // with normal M, weights and noises random and definite; expected costs are propagated exactly, nothing is
 // drawn beyond the systems. Holds: differences to 1e-8 of what is compared; of costs, that each of ten other
 // sets of gains costs more.
+#include "experiments/chapter_5_vehicle.hpp"
 #include "experiments/common.hpp"
 #include "experiments/example_5_1.hpp"
 #include "incognita/analysis/observability/closed_loop.hpp"
+#include "incognita/control/feedback_linearization.hpp"
 #include "incognita/control/lqr.hpp"
 #include "incognita/models/motion/monobot.hpp"
 
@@ -120,8 +122,7 @@ Claim duality() {
       "5.1-duality", "Chapter 5, introduction; Section 5.1",
       "LQG regulation is the dual of the Kalman filter: (5.3) and (5.4) for F', H', G Q G' and R give the "
       "filter's covariance and F K, to 1e-8",
-      {.printed = "its dual",
-       .measured = {"largest relative difference of {} systems that settle: {}", settled, below(worst)},
+      {.measured = {"largest relative difference of {} systems that settle: {}", settled, below(worst)},
        .runs = systems},
       settled >= systems / 2 && worst <= as_good_as_equal);
 }
@@ -153,10 +154,11 @@ Claim optimal() {
   return assessed("5.1-optimal", "Section 5.1, (5.1)-(5.3)",
                   "For a linear system with Gaussian noises and a quadratic cost the optimal solution is the "
                   "LQG: its cost is that of (5.4) (to 1e-8), and other gains cost more",
-                  {.printed = "optimal",
-                   .measured = {"largest relative difference of the cost from Riccati's {}; {} other gains "
+                  {.measured = {"largest relative difference of the cost from Riccati's {}; {} other gains "
                                 "each: of the regulator from {:.6f} times as much, of the filter from {:.6f}",
                                 below(worst), others, least_by_L, least_by_K},
+                   .number = exactly("cost with other gains over that of the LQG, at least",
+                                     std::min(least_by_L, least_by_K)),
                    .runs = systems},
                   worst <= as_good_as_equal && least_by_L > 1 && least_by_K > 1);
 }
@@ -176,8 +178,7 @@ Claim decomposition() {
       "5.1-decomposition", "below (5.1)",
       "(5.1) falls into a term of the estimate and the input and one of the estimation error, which does not "
       "depend on the input; to 1e-8",
-      {.printed = "two terms",
-       .measured =
+      {.measured =
            {"largest relative difference of the sum of the two {}, of the error's term with another control "
             "{}; with another gain of the filter than Kalman's the sum is off by up to {:.0f} %",
             below(with_kalman), below(by_control), 100 * with_another},
@@ -214,14 +215,16 @@ Claim index_of_T() {
   return assessed(
       "5.1-index", "(5.3), (5.4)",
       "The gains of (5.3) with (5.4) have the least cost (5.1): no more than the least, to 1e-8",
-      {.printed = "T_k on both sides of (5.4), and in (5.3)",
+      {.printed = "L_k = (Q2 + G_k' T_k G_k)^-1 G_k' T_k F_k; T_k = Q1 + L_k' Q2 L_k + (F_k - G_k L_k)' T_k "
+                  "(F_k - G_k L_k)",
        .measured = {"over {} steps, {} systems: the same T on both sides costs {:.4f} to {:.3g} times as "
                     "much; with T_(k+1) on the right x_0' T_0 x_0 is the cost, to a relative difference {}",
                     steps, compared, least, most, below(worst)},
+       .number = exactly("cost with the same T on both sides over the least, at most", most),
        .why = "T_(k+1) on the right of both: the recursion runs back from the end. The same T on both sides "
               "is where it settles over an infinite horizon",
        .runs = compared},
-      most <= 1 + as_good_as_equal, worst <= as_good_as_equal && least >= 1 - as_good_as_equal);
+      most <= 1 + as_good_as_equal, as_corrected(worst <= as_good_as_equal && least >= 1 - as_good_as_equal));
 }
 
 Claim to_zero() {
@@ -242,18 +245,20 @@ Claim to_zero() {
   const SteadyGain line = steady_gain(one, dt * one, one, one);
   const double a = 1 - dt * line.L(0, 0), sigma_v = 0.1;
   const double var = std::pow(dt * sigma_v, 2) / (1 - a * a);  // of x+ = a x + dt v
-  return assessed("5.1-to-zero", "below (5.1)",
-                  "With Q1 and Q2 positive semi-definite the minimization drives the state to zero",
-                  {.printed = "psd",
-                   .measured = {"Q1 = 0 on a line, which is psd: {}; Q1 definite, no noise: of {} systems "
-                                "the most that is left after 1000 steps {}; on a line disturbed by 0.1 m/s "
-                                "at 10 Hz, Q1 = Q2 = 1: {:.1f} mm rms for ever",
-                                sentence(free.outcome), regulated, below(left), 1000 * std::sqrt(var)},
-                   .why = "without noise, and if each mode that does not decay by itself costs something in "
-                          "Q1; with noise it stays about zero",
-                   .runs = systems},
-                  free.outcome == RegulatorOutcome::converged && left <= as_good_as_equal,
-                  free.outcome != RegulatorOutcome::converged && left <= as_good_as_equal);
+  return assessed(
+      "5.1-to-zero", "below (5.1)",
+      "With Q1 and Q2 positive semi-definite the minimization drives the state to zero",
+      {.rule = Rule::example,
+       .measured = {"Q1 = 0 on a line, which is psd: {}; Q1 definite, no noise: of {} systems "
+                    "the most that is left after 1000 steps {}; on a line disturbed by 0.1 m/s "
+                    "at 10 Hz, Q1 = Q2 = 1: {:.1f} mm rms for ever",
+                    sentence(free.outcome), regulated, below(left), 1000 * std::sqrt(var)},
+       .number = exactly("rms that stays of a line disturbed by 0.1 m/s", 1000 * std::sqrt(var), "mm"),
+       .why = "without noise, and if each mode that does not decay by itself costs something in "
+              "Q1; with noise it stays about zero",
+       .runs = systems},
+      free.outcome == RegulatorOutcome::converged && var == 0 && left <= as_good_as_equal,
+      on_condition(left <= as_good_as_equal));
 }
 
 /// Of an error of 1 m, after 100 steps of the monobot under u = -L x.
@@ -270,33 +275,55 @@ Claim any_gain() {
                        left_on_line(L));
   };
   const auto stable = [&](double L) { return is_stabilizing(one, dt * one, L * one) && left_on_line(L) < 1; };
+  double least_unstable = 100, largest_stable = 0.1;
+  while (least_unstable - largest_stable > 1e-6) {
+    const double L = (least_unstable + largest_stable) / 2;
+    (is_stabilizing(one, dt * one, L * one) ? largest_stable : least_unstable) = L;
+  }
   return assessed(
       "5.1-any-gain", "above Example 5.1",
       "For a fully observable monobot the vehicle part of F - G L is stable for any positive definite L",
-      {.printed = "any",
+      {.rule = Rule::example,
        .measured = {"at 10 Hz, by L in 1/s, with what is left of 1 m after 100 steps: 0.1: {}; 10: {}; 19.9: "
                     "{}; 20.1: {}; 40: {}",
                     in_words(0.1), in_words(10), in_words(19.9), in_words(20.1), in_words(40)},
+       .number = exactly("largest stable L at 10 Hz", largest_stable, "1/s"),
        .why = "0 < L < 2/dt: the vehicle part is 1 - L dt. Larger ones overshoot by more than they correct"},
-      stable(20.1) && stable(40), stable(0.1) && stable(10) && stable(19.9) && !stable(20.1) && !stable(40));
+      stable(20.1) && stable(40),
+      on_condition(stable(0.1) && stable(10) && stable(19.9) && std::abs(largest_stable * dt - 2) < 1e-6));
+}
+
+/// The largest factor of a position's distance by (5.6) in a step without noise, at rest, over headings.
+double largest_norm_of_position() {
+  double largest = 0;
+  for (double heading = -3; heading <= 3; heading += 0.5) {
+    const closed_loop::Pose pose(0, 0, heading);
+    const Matrix2d A =
+        Matrix2d::Identity() - dt * point_velocity_by_input(closed_loop::body, heading) * gain(pose);
+    largest = std::max(largest, std::sqrt(stability_of(MatrixXd(A.transpose() * A)).spectral_radius));
+  }
+  return largest;
 }
 
 Claim frozen_eigenvalues() {
   MatrixXd A(2, 2);
   A << 0.5, 2, 0, 0.5;
   const double each = stability_of(A).spectral_radius,
-               in_turns = std::sqrt(stability_of(MatrixXd(A.transpose() * A)).spectral_radius);
+               in_turns = std::sqrt(stability_of(MatrixXd(A.transpose() * A)).spectral_radius),
+               norm = largest_norm_of_position();
   return assessed("5.1-frozen", "Figure 5.5 and Figure 5.8, captions; below (5.12)",
                   "Asymptotic stability is guaranteed when the eigenvalues of F - G L, which change with "
                   "every step, are less than one",
-                  {.printed = "guaranteed",
+                  {.rule = Rule::example,
                    .measured = {"[0.5 2; 0 0.5] and its transpose, both with eigenvalues {:.1f}, in turns: "
-                                "an error grows {:.2f} times a step",
-                                each, in_turns},
-                   .why = "of a matrix that stays as it is. Of one that changes the eigenvalues of each do "
-                          "not determine those of the product; the condition is whether a norm of the error "
-                          "falls at every step, as that of the position does here, see (5.10)"},
-                  each < 1 && in_turns < 1);
+                                "an error grows {:.2f} times a step. The distance of the position by (5.6): "
+                                "{:.3f} times a step at most, at any heading",
+                                each, in_turns, norm},
+                   .number = exactly("growth of an error a step, all eigenvalues 0.5", in_turns, "times"),
+                   .why = "eigenvalues of a matrix that changes do not determine those of the product: all "
+                          "can be below one while the error grows. Enough is that a norm of the error falls "
+                          "at every step, as that of the position does here"},
+                  each < 1 && in_turns < 1, in_truth(each < 1 && in_turns > 1 && norm < 1));
 }
 
 }  // namespace

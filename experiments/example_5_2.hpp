@@ -27,6 +27,9 @@ std::vector<Claim> convergence_claims();
 /// The heading, which is not controlled: Figure 5.8 and below.
 std::vector<Claim> heading_claims();
 
+/// The range of a linear controller, head of Section 5.2.
+std::vector<Claim> range_claims();
+
 /// Our law along a path, from a start, within the limits.
 using closed_loop::Way;
 Way follow(const Path& path, const planar::Pose<double>& start, double duration_s);

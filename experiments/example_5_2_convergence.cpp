@@ -47,22 +47,24 @@ Claim gains() {
                slow_over = worst_ratio(1.02 * slow_bound, 1, turn_rate);
   const double left = farthest_m(0.1, 15, hold_s), stays = farthest_m(0.1, 5, hold_s);
   const auto after = [](double factor) { return std::pow(std::abs(factor), 20); };
-  const bool corrected =
+  const bool when_small =
       under < 1 && over > 1 && slow_under < 1 && slow_over > 1 && left > 0.3 && stays <= 0.3 * (1 + 1e-9);
   return assessed(
       "5.2-gain", "(5.10)", "The error dynamics are asymptotically stable if Q2 is positive semi-definite",
-      {.printed = "e_(k+1) + Q2 e_k = 0, any psd Q2",
-       .measured = {"(5.10) as printed, an error of 1 after 20 steps: Q2 = 0.5 I {:.1e}, 2 I {:.1e}; with e+ "
-                    "= (I - K dt) e: K dt = 0 {:.0f}, 1.9 {:.2f}, 2.1 {:.1f}. Of a held command at 1 rad/s, "
-                    "{} s: K 2 % below {:.2f} 1/s leaves at most {:.4f} of the distance, 2 % above {:.4f}; 1 "
-                    "s: below {:.3f} 1/s {:.4f}, above {:.4f}. l = 0.1 m, no limits, from 0.3 m: K dt = 0.5 "
-                    "at most {:.2f} m, K dt = 1.5 up to {:.2f} m",
-                    after(0.5), after(2), after(1), after(-0.9), after(-1.1), hold_s, bound, under, over,
-                    slow_bound, slow_under, slow_over, stays, left},
-       .why = "K = Q2 definite and small enough: |1 - lambda dt| < 1 for every eigenvalue, and on the "
-              "vehicle, which turns while a command is held, lambda dt < 2 a cot(a), a = w dt / 2 at the "
-              "largest turn rate w; without a limit on w no gain converges from everywhere"},
-      after(2) < 1 && after(1) < 1, corrected);
+      {.rule = Rule::example,
+       .printed = "e_(k+1) + Q2 e_k = 0",
+       .measured = {"an error of 1 after 20 steps of (5.10): Q2 = 0.5 I {:.1e}, 2 I {:.1e}. On the vehicle a "
+                    "command held for {} s at 1 rad/s leaves of the distance, K 2 % below and above {:.2f} "
+                    "1/s, {:.4f} and {:.4f}; for 1 s about {:.3f} 1/s {:.4f} and {:.4f}. Without limits, l = "
+                    "0.1 m, from 0.3 m: K dt = 1.5 up to {:.2f} m off",
+                    after(0.5), after(2), hold_s, bound, under, over, slow_bound, slow_under, slow_over,
+                    left},
+       .number = exactly("largest K that converges, held for 0.1 s at 1 rad/s", bound, "1/s"),
+       .why =
+           "if Q2 is definite and small enough: |1 - lambda dt| < 1 for every eigenvalue, and on the vehicle, "
+           "which turns while a command is held, lambda dt < 2 a cot(a), a = w dt / 2 at the largest turn "
+           "rate w"},
+      after(2) < 1 && after(1) < 1, on_condition(when_small));
 }
 
 /// Least and most that a command leaves of the distance, from 20 s to 40 s: before, the limits are in it, and
@@ -74,18 +76,19 @@ Claim finite_time() {
   const auto still = follow(origin, {-2, 1, 0}, 60).distances_m(origin),
              moving = follow(circle, {-7, 0, 0}, 60).distances_m(circle);
   const Extremes of_still = left_of(still), of_moving = left_of(moving);
-  const double factor = 1 - gain_per_s * period_s, left = still[400], behind = moving[400];
+  const double held = 1 - gain_per_s * period_s, left = still[400], behind = moving[400];
   const auto is_factor = [&](const Extremes& e) {
-    return std::abs(e.least - factor) < 0.01 && std::abs(e.most - factor) < 0.01;
+    return std::abs(e.least - held) < 0.01 && std::abs(e.most - held) < 0.01;
   };
   return assessed(
       "5.2-finite-time", "below (5.13)", "The tracking error converges to zero in finite time",
-      {.printed = "finite time",
+      {.rule = Rule::example,
        .measured = {"without noise: after 40 s {:.1e} m from a point, {:.1e} m on the circle; from 20 s on "
                     "each command leaves {:.4f} to {:.4f} and {:.4f} to {:.4f} of it, 1 - K dt is {:.4f}",
-                    left, behind, of_still.least, of_still.most, of_moving.least, of_moving.most, factor},
-       .why = "asymptotically: each command leaves the same share of the error"},
-      left == 0 && behind == 0, is_factor(of_still) && is_factor(of_moving));
+                    left, behind, of_still.least, of_still.most, of_moving.least, of_moving.most, held},
+       .number = exactly("share of the distance that a command leaves", of_still.most),
+       .why = "it converges asymptotically: each command leaves the same share of the error"},
+      left == 0 && behind == 0, in_truth(is_factor(of_still) && is_factor(of_moving)));
 }
 
 }  // namespace

@@ -35,18 +35,20 @@ Claim initial_transient() {
       "5.2-eigenvalues", "above and in Figure 5.8",
       "While the tracking error is large at first the error dynamics are not stable; once the vehicle is "
       "near its path they are",
-      {.printed = "not stable, then stable",
+      {.rule = Rule::example,
        .measured = {"from (-7, 0) at {} headings: an eigenvalue above 1 at {} of {} ticks more than 1 m off, "
                     "at {} of {} nearer; up to {:.4f}, for at most {:.1f} s; from {} of the headings. With "
                     "the vehicle moving forward {} times, moving backward and none above 1 {} times",
                     headings, c.away_above, c.away, c.there_above, c.there, c.largest, longest_s,
                     headings_above, c.ahead_above, c.back_below},
+       .number =
+           exactly("ticks more than 1 m off with an eigenvalue above 1", 100.0 * c.away_above / c.away, "%"),
        .why = "stable near the path, yes; at first it is not the size of the error that makes it unstable, "
               "but moving backward: the heading turns away from the direction of motion until the vehicle "
-              "has turned around. When it starts facing the path it is always stable"},
+              "has turned around"},
       c.away_above == c.away && c.there_above == 0,
-      c.away_above > 0 && c.away_above < c.away && c.there_above == 0 && c.ahead_above == 0 &&
-          c.back_below == 0);
+      in_truth(c.away_above > 0 && c.away_above < c.away && c.there_above == 0 && c.ahead_above == 0 &&
+               c.back_below == 0));
 }
 
 Claim whole_pose() {
@@ -60,16 +62,18 @@ Claim whole_pose() {
     farthest = std::max(farthest, end.head<2>().norm());
     turned.take(end[2]);
   }
-  return assessed("5.2-whole-pose", "below Figure 5.8, with [17]",
-                  "The whole pose of this vehicle cannot be stabilized (at a point, by a linear law of its "
-                  "inputs); its position can, and the final heading is free",
-                  {.printed = "cannot",
-                   .measured = {"regulator of the pose at rest: {}. From {} headings, after 60 s: at most "
-                                "{:.1e} m from the point, with headings from {:.0f} to {:.0f} deg",
-                                sentence(regulator.outcome), headings, farthest, degrees(turned.least),
-                                degrees(turned.most)}},
-                  regulator.outcome == RegulatorOutcome::not_stabilizable && farthest < 1e-3 &&
-                      turned.most - turned.least > radians(20));
+  return assessed(
+      "5.2-whole-pose", "below Figure 5.8, with [17]",
+      "The whole pose of this vehicle cannot be stabilized (at a point, by a linear law of its "
+      "inputs); its position can, and the final heading is free",
+      {.rule = Rule::example,
+       .measured = {"regulator of the pose at rest: {}. From {} headings, after 60 s: at most "
+                    "{:.1e} m from the point, with headings from {:.0f} to {:.0f} deg",
+                    sentence(regulator.outcome), headings, farthest, degrees(turned.least),
+                    degrees(turned.most)},
+       .number = exactly("spread of the final headings", degrees(turned.most - turned.least), "degrees")},
+      regulator.outcome == RegulatorOutcome::not_stabilizable && farthest < 1e-3 &&
+          turned.most - turned.least > radians(20));
 }
 
 Claim free_heading() {
@@ -84,8 +88,7 @@ Claim free_heading() {
                   "With the position controlled only and the heading free the path is still followed "
                   "accurately after a transient: within 1 cm in the second round from every heading, and the "
                   "heading becomes the path's (the same from all, to 1e-6 rad)",
-                  {.printed = "accurately",
-                   .measured = {"from {} headings at most {:.1f} mm off in the second round; headings at the "
+                  {.measured = {"from {} headings at most {:.1f} mm off in the second round; headings at the "
                                 "end differ, in rad, {}",
                                 headings, 1000 * worst, below(spread)}},
                   worst < 0.01 && spread < 1e-6);

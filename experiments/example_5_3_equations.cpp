@@ -43,6 +43,7 @@ Claim law() {
                    .measured = {"mean error of the second round, y*_(k+1) taken as the path's velocity: "
                                 "printed {:.1f} m, ours {:.1e} m",
                                 worst.printed, worst.ours},
+                   .number = exactly("mean error of the second round by (5.21)", worst.printed, "m"),
                    .why = "the error has the other sign, y - y*: as printed it drives away from the path"},
                   worst, 0.01);
 }
@@ -69,6 +70,7 @@ Claim closed_loop_equation() {
                   {.printed = "y_(k+1) = y*_(k+1) - Q2 (y_k - y*_k) + Q_r v_k",
                    .measured = {"largest difference at {} poses: printed {:.2f} m, ours, in m, {}", places,
                                 worst.printed, below(worst.ours)},
+                   .number = exactly("largest difference of (5.22)", worst.printed, "m"),
                    .why = "y_(k+1) = y_k + dt (ydot* - Q2 (y_k - y*_k) + Q_r v_k), as (5.20) is the velocity "
                           "and not the next position; y in Q2 (y - y*) is the estimate",
                    .runs = places},
@@ -99,10 +101,49 @@ Claim error_recursion() {
                    .measured = {"largest relative difference of {} random linear systems: of the estimate "
                                 "{:.1f}, of its error {}",
                                 loops, worst.printed, below(worst.ours)},
+                   .number = exactly("largest relative difference of (5.23)", worst.printed),
                    .why = "of the error of the estimate, with the noise of the measurement after the step; "
                           "the text above it says error, too",
                    .runs = loops},
                   worst, as_good_as_zero);
+}
+
+/// Of (2.14), whose Q is that of (2.1): of the noise on the inputs.
+Claim prediction() {
+  RandomStream random(3, "predictions");
+  constexpr int places = 20, draws = 20000;
+  const Matrix2d Q = input_sigmas.cwiseAbs2().asDiagonal();
+  bool can_be_added = true;
+  double off = 0;
+  for (int i = 0; i < places; ++i) {
+    const Pose pose(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-3, 3));
+    const Vector2d u(random.uniform(-1, 1), random.uniform(-1, 1));
+    const planar::Step step = body.step(pose, u, period_s);
+    Matrix3d drawn = Matrix3d::Zero();
+    for (int k = 0; k < draws; ++k) {
+      const Vector2d v = input_sigmas.cwiseProduct(Vector2d(random.normal(), random.normal()));
+      Vector3d by_noise = body.f<double>(pose, u + v, period_s) - step.x;
+      by_noise[2] = wrap_angle(by_noise[2]);
+      drawn += by_noise * by_noise.transpose() / draws;
+    }
+    const Matrix3d ours = step.G * Q * step.G.transpose();
+    off = std::max(off, (drawn - ours).norm() / ours.norm());
+    can_be_added = can_be_added && Q.rows() == step.F.rows();
+  }
+  return assessed(
+      "5.3-prediction", "(2.14), beside (5.19)",
+      "F P F' + Q is the covariance of the predicted state, with Q the covariance of the noise v of "
+      "(2.1), which has as many components as the input",
+      {.rule = Rule::example,
+       .printed = "P_(k+1|k) = F P_(k|k) F' + Q_k",
+       .measured = {"of one robot F P F' is 3x3 and Q 2x2: the sum does not exist. What the noise "
+                    "adds, by {} draws at each of {} poses, differs from G Q G' by {:.1f} % at "
+                    "most",
+                    draws, places, 100 * off},
+       .number = exactly("covariance by draws against G Q G', largest difference", 100 * off, "%"),
+       .why = "F P F' + G Q G', as in (5.19): the noise of the input enters through G. As printed "
+              "it is right of noise that is added to the state, as in (A.1.1)"},
+      can_be_added, as_corrected(off < 0.05));
 }
 
 /// Poses of the robots and positions of the landmarks: where a team is linearized.
@@ -191,30 +232,32 @@ std::vector<Claim> separable() {
           "5.3-separable", "below (5.23)",
           "Estimation and control of the team are separable: the eigenvalues of the closed loop, linearized, "
           "are those of F - G L together with those of F - K H F, to 1e-6, the filter at its estimate",
-          {.printed = "separable",
-           .measured = {"{} states of plant and filter: distance of the eigenvalues {} where the filter is "
+          {.measured = {"{} states of plant and filter: distance of the eigenvalues {} where the filter is "
                         "linearized where the plant is, {:.1e} where it is linearized at its estimate; "
                         "coupling of the state into the error: {} and {:.1e} of the whole",
                         same.whole.eigenvalues.size(), below(same.spectral_distance), apart.spectral_distance,
                         below(same.coupling), apart.coupling},
-           .why = "as far as the Jacobians of the filter are those of the plant; taken at the estimate they "
-                  "are not quite"},
-          apart.holds && apart.coupling <= as_good_as_zero, same.holds && same.coupling <= as_good_as_zero),
+           .number = exactly("coupling of the state into the error, of the whole", apart.coupling),
+           .why = "where the Jacobians of the filter are those of the plant; taken at the estimate they are "
+                  "not quite"},
+          apart.holds && apart.coupling <= as_good_as_zero,
+          on_condition(same.holds && same.coupling <= as_good_as_zero)),
       assessed("5.3-eigenvalues", "below (5.23)",
                "The eigenvalues of the feedback dynamics are among those of the closed loop, to 1e-6",
                {.printed = "those of Q_r(y_k)",
                 .measured = {"farthest from any eigenvalue of the loop: of Q_r {:.3f}, of I - Q2 dt {}; "
                              "|eigenvalues| of Q_r {:.3f}, whatever Q2 is",
                              of_Q_r, below(of_control), stability_of(Q_r).spectral_radius},
-                .why = "of I - Q2 dt for the positions, of F - G L with the headings; Q_r is how inputs move "
-                       "the control point, and its eigenvalues are not those of the feedback"},
-               of_Q_r <= 1e-6, of_control <= 1e-6)};
+                .number = exactly("distance of an eigenvalue of Q_r from those of the loop, at most", of_Q_r),
+                .why = "those of I - Q2 dt are, for the positions. Q_r is how inputs move the control point, "
+                       "and its eigenvalues are not those of the feedback"},
+               of_Q_r <= 1e-6, in_truth(of_control <= 1e-6))};
 }
 
 }  // namespace
 
 std::vector<Claim> equation_claims() {
-  return concatenated({law(), closed_loop_equation(), error_recursion(), separable()});
+  return concatenated({prediction(), law(), closed_loop_equation(), error_recursion(), separable()});
 }
 
 }  // namespace incognita::section_5_3

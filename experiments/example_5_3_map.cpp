@@ -8,6 +8,7 @@
 #include "experiments/common.hpp"
 #include "experiments/example_5_2.hpp"
 #include "experiments/example_5_3.hpp"
+#include "incognita/analysis/evaluation/median.hpp"
 #include "incognita/models/sensors/range_bearing.hpp"
 
 namespace incognita::section_5_3 {
@@ -61,7 +62,7 @@ Claim never_rise(const Runs& runs) {
       "5.3-traces-fall", "Figure 5.11",
       "All landmark localization uncertainties decrease as the algorithm proceeds: no trace ever rises, to "
       "1e-9 of itself",
-      {.printed = "decrease",
+      {.rule = Rule::example,
        .measured = {"largest relative rise of any landmark at any tick of any seed: {}", below(rise)},
        .runs = runs.size()},
       rise <= 1e-9);
@@ -78,16 +79,17 @@ std::vector<double> last_over_least(const Run& run, const std::vector<double>& l
 
 /// Of all landmarks of many runs; the median is that of the runs' medians.
 struct Settled {
-  double lowest, median, highest;
+  double lowest, highest;
+  Interval median;
   Settled(const Runs& runs, const std::vector<double>& least) {
     const auto of_runs = [&](double share) {
-      const auto of_run = [&](const Run& run) { return quantile(last_over_least(run, least), share); };
-      return quantile(each(runs, of_run), share);
+      return each(runs, [&](const Run& run) { return quantile(last_over_least(run, least), share); });
     };
-    lowest = of_runs(0), median = of_runs(0.5), highest = of_runs(1);
+    lowest = std::ranges::min(of_runs(0)), highest = std::ranges::max(of_runs(1));
+    median = median_interval(of_runs(0.5));
   }
   std::string text() const {
-    return fmt::format("{:.2f} to {:.2f} times (median {:.2f})", lowest, highest, median);
+    return fmt::format("{:.2f} to {:.2f} times (median {:.2f})", lowest, highest, median.value);
   }
   bool stays_above() const { return lowest >= 0.99; }
 };
@@ -103,19 +105,22 @@ Claim settle(const ExperimentSettings& settings, const Runs& runs) {
   };
   const Settled usual(runs, least), ekf = longer(Linearization::analytic, "analytic"),
                                     first = longer(Linearization::first_estimate, "first-estimate");
-  return assessed("5.3-traces-settle", "Figure 5.11, below (5.23)",
-                  "The landmarks' traces reach an asymptotic minimum, the least that the starts leave open: "
-                  "they come within a quarter of it in 80 s and never fall below it",
-                  {.printed = "asymptotic minimum",
-                   .measured = {"least {:.4f} to {:.4f} m^2 by landmark. After 80 s {}; after 400 s, {} "
-                                "seeds, {}; with first-estimate Jacobians {}",
-                                *low, *high, usual.text(), few(settings).seeds, ekf.text(), first.text()},
-                   .why = "so it is within the time of the figure, but the EKF falls below what is "
-                          "observable: its Jacobians at changing estimates add spurious information about "
-                          "the frame. With first-estimate Jacobians the minimum is reached",
-                   .seeds = few(settings).seeds},
-                  usual.highest < 1.25 && usual.stays_above() && ekf.stays_above(),
-                  usual.highest < 1.25 && usual.stays_above() && first.stays_above());
+  return assessed(
+      "5.3-traces-settle", "Figure 5.11, below (5.23)",
+      "The landmarks' traces reach an asymptotic minimum, the least that the starts leave open: "
+      "they come within a quarter of it in 80 s and never fall below it",
+      {.rule = Rule::equality,
+       .measured = {"least {:.4f} to {:.4f} m^2 by landmark. After 80 s {}; after 400 s, {} "
+                    "seeds, {}; with first-estimate Jacobians {}",
+                    *low, *high, usual.text(), few(settings).seeds, ekf.text(), first.text()},
+       .number = ClaimNumber{"trace after 400 s over the least, EKF, median landmark", ekf.median},
+       .why = "with first-estimate Jacobians. So it is within the time of the figure, too, but "
+              "the EKF, whose Jacobians are at changing estimates, falls below what the starts "
+              "leave open later",
+       .seeds = few(settings).seeds},
+      usual.highest < 1.25 && usual.stays_above() && ekf.stays_above(),
+      on_condition(usual.highest < 1.25 && usual.stays_above() && first.highest < 1.25 &&
+                   first.stays_above() && !ekf.stays_above()));
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ struct Summary {
   double estimated_off_m = 0,
          estimated_off_95_m = 0;  ///< from the path: median of ticks and 95 %, once settled
   double truly_off_m = 0, truly_off_95_m = 0, most_off_m = 0;
+  double estimated_off_rms_m = 0, truly_off_rms_m = 0;  ///< the same, root mean squares
   double gaze_off_95_rad = 0;
   std::array<double, 6> inside{};              ///< share of ticks within 2 sigma
   double pose_nees = 0, nis = 0;               ///< means
@@ -44,7 +45,9 @@ double median(const std::vector<Summary>& runs, double Summary::*what);
 /// Never farther than that from the path once settled.
 constexpr double near_path_m = 0.3;
 double share_near_path(const std::vector<Summary>& runs);
-Finding follows(const std::vector<Summary>& runs);
+Answer follows(const std::vector<Summary>& runs);
+/// The same share as the number of a claim, in percent.
+ClaimNumber followers(std::string what, const std::vector<Summary>& runs);
 
 /// Fewer runs, of what is compared with the example as it stands.
 int fewer(const ExperimentSettings& settings);

@@ -58,6 +58,8 @@ void add_settled(const std::vector<Instant>& settled, Summary& s) {
   s.truly_off_m = quantile_of(0.5, &Instant::truly_off_m);
   s.truly_off_95_m = quantile_of(0.95, &Instant::truly_off_m);
   s.most_off_m = quantile_of(1, &Instant::truly_off_m);
+  s.estimated_off_rms_m = rms_of(each(settled, &Instant::estimated_off_m)).value;
+  s.truly_off_rms_m = rms_of(each(settled, &Instant::truly_off_m)).value;
   s.gaze_off_95_rad = quantile_of(0.95, gaze_off);
   s.least_sigma_m = quantile_of(0, &Instant::sigma_position_m);
   s.most_sigma_m = quantile_of(1, &Instant::sigma_position_m);
@@ -105,7 +107,12 @@ double share_near_path(const std::vector<Summary>& runs) {
   return static_cast<double>(near_path(runs)) / static_cast<double>(runs.size());
 }
 
-Finding follows(const std::vector<Summary>& runs) { return happens_in(0.95, near_path(runs), runs.size()); }
+ClaimNumber followers(std::string what, const std::vector<Summary>& runs) {
+  const Interval share = share_of(static_cast<std::size_t>(near_path(runs)), runs.size());
+  return {std::move(what), {100 * share.value, 100 * share.low, 100 * share.high}, "%"};
+}
+
+Answer follows(const std::vector<Summary>& runs) { return happens_in(0.95, near_path(runs), runs.size()); }
 
 int fewer(const ExperimentSettings& settings) { return std::max(5, settings.seeds / 5); }
 

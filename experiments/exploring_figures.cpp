@@ -1,9 +1,8 @@
-// Panels of Figures 6.4, 6.5, 6.7, 6.9, 6.10 and 6.13.
+#include "experiments/exploring_figures.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/curves.hpp"
-#include "experiments/exploring_comparison.hpp"
 #include "incognita/analysis/evaluation/pose_consistency.hpp"
 
 namespace incognita::exploring {
@@ -59,23 +58,20 @@ Panel entropies(const std::string& title, const Run& run) {
   return p;
 }
 
-Plot map_figure(const std::string& id, const std::string& title, const std::vector<Strategy>& strategies,
-                const std::vector<Runs>& runs) {
-  Plot plot{id, title, static_cast<int>(strategies.size()), {}};
+Plot map_figure(const std::string& id, const std::string& title, const std::vector<Runs>& runs) {
+  Plot plot{id, title, static_cast<int>(runs.size()), {}};
   for (std::size_t s = 0; s < runs.size(); ++s)
-    plot.panels.push_back(from_above(strategies[s].name, runs[s].front()));
+    plot.panels.push_back(from_above(runs[s].name, runs[s].front()));
   for (const Runs& of_strategy : runs) plot.panels.push_back(entropies("", of_strategy.front()));
   return plot;
 }
 
-Plot error_figure(const std::string& id, const std::string& title, const std::vector<Strategy>& strategies,
-                  const std::vector<Runs>& runs) {
-  Plot plot{id, title, static_cast<int>(strategies.size()), {}};
+Plot error_figure(const std::string& id, const std::string& title, const std::vector<Runs>& runs) {
+  Plot plot{id, title, static_cast<int>(runs.size()), {}};
   const char* axes[] = {"x, m", "y, m", "z, m", "about x, rad", "about y, rad", "about z, rad"};
   for (int axis = 0; axis < 6; ++axis)
     for (std::size_t s = 0; s < runs.size(); ++s)
-      plot.panels.push_back(
-          error_panel(axis == 0 ? strategies[s].name : "", axes[axis], runs[s].front(), axis));
+      plot.panels.push_back(error_panel(axis == 0 ? runs[s].name : "", axes[axis], runs[s].front(), axis));
   return plot;
 }
 

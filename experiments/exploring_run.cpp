@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "incognita/app/loop/assembly.hpp"
+#include "incognita/app/loop/association_score.hpp"
 #include "incognita/record/snapshot/series.hpp"
 #include "incognita/record/summary/exploration_summary.hpp"
 #include "incognita/record/summary/run_info.hpp"
@@ -16,7 +17,9 @@ namespace {
 
 Decision decision_of(const Snapshot& s) {
   const SnapshotDecision& of = s.bodies.front().decision;
-  Decision d{s.tick.t, of.chosen, chosen_action(of), of.scores, s.entropy_extended.value_or(std::nan(""))};
+  Decision d{
+      s.tick.t,         of.chosen, chosen_action(of), of.scores, s.entropy_extended.value_or(std::nan("")),
+      s.entropy.vehicle};
   for (const SnapshotLandmark& l : s.landmarks)
     if (!l.anchor) d.mapped.push_back(l.id);
   return d;
@@ -33,10 +36,11 @@ class Gathered {
     run_.map = s.landmarks;
     const SnapshotBody& body = s.bodies.at(0);
     run_.actions = body.decision.actions;
-    returned_ += returned(s);
+    note_returned(s);
     if (body.decision.decided && body.decision.chosen >= 0) {
       run_.decisions.push_back(decision_of(s));
       run_.decisions.back().returned = std::exchange(returned_, 0);
+      run_.decisions.back().longest_away_s = std::exchange(longest_away_s_, 0);
     }
     if (has_pose(body) && body.truth) add_instant(s);
   }
@@ -56,20 +60,21 @@ class Gathered {
  private:
   void add_instant(const Snapshot& s) {
     const SnapshotBody& body = s.bodies.front();
-    Instant i{s.tick.t, *body.truth, body.estimate, body.covariance, s.entropy, mapped_landmarks(s)};
+    Instant i{s.tick.t,  *body.truth,         body.estimate, body.covariance,
+              s.entropy, mapped_landmarks(s), s.matched};
+    if (body.velocity) i.velocity = body.velocity->head<3>();
     nees_ += pose_nees(pose_error(i.truth, i.estimate), i.covariance).value_or(std::nan(""));
     run_.instants.push_back(std::move(i));
   }
 
-  int returned(const Snapshot& s) {
-    int count = 0;
+  void note_returned(const Snapshot& s) {
     for (const SnapshotMatch& match : s.matches) {
       if (match.outcome != MatchOutcome::matched || match.anchor) continue;
       const auto [last, first] = matched_t_s_.try_emplace(match.id, s.tick.t);
-      count += !first && s.tick.t - last->second > away_s;
+      const double away = s.tick.t - last->second;
+      if (!first && away > away_s) ++returned_, longest_away_s_ = std::max(longest_away_s_, away);
       last->second = s.tick.t;
     }
-    return count;
   }
 
   Run run_;
@@ -77,14 +82,23 @@ class Gathered {
   OutcomeSummary outcome_;
   std::map<std::int64_t, double> matched_t_s_;  ///< when last, by landmark
   int returned_ = 0;                            ///< since the last decision
+  double longest_away_s_ = 0;
   double nees_ = 0;
 };
 
 Run gather(Assembly assembly) {
   Gathered gathered(assembly.info);
-  run_loop(assembly.parts, std::function<void(const Snapshot&)>([&](const Snapshot& s) { gathered.add(s); }),
+  std::optional<AssociationScore> score;
+  if (assembly.association_truth) score.emplace(assembly.association_truth);
+  const auto publish = [&](const Snapshot& s) {
+    gathered.add(s);
+    if (score) score->add(s);
+  };
+  run_loop(assembly.parts, std::function<void(const Snapshot&)>(publish),
            std::function<bool(const Tick&)>([](const Tick&) { return true; }));
-  return gathered.finish();
+  Run run = gathered.finish();
+  if (score) run.matches_right = score->right(), run.matches_wrong = score->wrong();
+  return run;
 }
 
 /// A number of the first element from `t_s` on at which it is known.
@@ -111,10 +125,13 @@ std::optional<double> Run::extended_when_located(int count) const {
   return first_known(decisions, located_at_s(count), [](const Decision& d) { return d.entropy_extended; });
 }
 
-Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed) {
+Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed,
+            const std::function<void(Assembly&)>& change) {
   Sets all = sets;
   all.push_back("run.seed=" + std::to_string(seed));
-  return gather(assemble(load_scenario(scenario, all)));
+  Assembly assembly = assemble(load_scenario(scenario, all));
+  if (change) change(assembly);
+  return gather(std::move(assembly));
 }
 
 }  // namespace incognita::exploring

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +12,11 @@
 #include "incognita/record/snapshot/snapshot.hpp"
 #include "incognita/record/summary/outcome_summary.hpp"
 
-namespace incognita::exploring {
+namespace incognita {
+
+struct Assembly;
+
+namespace exploring {
 
 /// What a variant sets beside the scenario, e.g. "decision.gaze=fisher".
 using Sets = std::vector<std::string>;
@@ -21,6 +27,8 @@ struct Instant {
   PoseCovariance covariance;
   SnapshotEntropy entropy;
   int landmarks = 0;  ///< mapped, without anchors
+  int matched = 0;    ///< landmarks and anchors measured in this frame
+  Eigen::Vector3d velocity = Eigen::Vector3d::Constant(NAN);  ///< estimated, m/s, world; if it is a state
 };
 
 struct Decision {
@@ -28,9 +36,11 @@ struct Decision {
   int chosen = 0;  ///< of Run::actions
   std::string action;
   std::vector<double> scores;
-  double entropy_extended = 0;            ///< nats
+  double entropy_extended = 0;            ///< of camera, map and what is not mapped yet, nats
+  double entropy_camera = 0;              ///< nats
   std::vector<std::int64_t> mapped = {};  ///< ids of the map
   int returned = 0;                       ///< landmarks that came back since the decision before
+  double longest_away_s = 0;              ///< of those: how long it had not been matched
 };
 
 struct Run {
@@ -40,6 +50,8 @@ struct Run {
   std::vector<SnapshotLandmark> map;  ///< at the end, anchors too
   std::vector<double> located_t_s;    ///< of landmarks in the order in which they were located (record/)
   OutcomeMeasures outcome;
+  std::int64_t matches_right = 0,
+               matches_wrong = 0;  ///< without those of anchors; 0 where identities are given
   double position_rms_m = 0, nees = 0, coverage = 0;
   double entropy_extended = 0;  ///< nats, at the last decision
 
@@ -55,6 +67,9 @@ struct Run {
 inline constexpr double away_s = 5;
 
 /// `scenario`: the name of a built-in one, of one camera in a point-landmark world or in the rendered room.
-Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed);
+/// `change`: of its parts before it starts, e.g. of the sensor.
+Run explore(const std::string& scenario, const Sets& sets, std::uint64_t seed,
+            const std::function<void(Assembly&)>& change = {});
 
-}  // namespace incognita::exploring
+}  // namespace exploring
+}  // namespace incognita

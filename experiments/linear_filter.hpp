@@ -10,6 +10,11 @@ namespace incognita {
 
 inline constexpr double rounding_error = 1e-12;
 
+/// What goes to zero: 100 times the steps leave less than a tenth of it.
+inline bool vanishes(double after_some_steps, double after_100_times_as_many) {
+  return after_100_times_as_many < 0.1 * after_some_steps;
+}
+
 /// Covariance after `steps` predictions and updates.
 inline Eigen::MatrixXd filtered(const LinearSystem& system, Eigen::MatrixXd P, int steps) {
   for (int k = 0; k < steps; ++k) {

@@ -10,8 +10,9 @@
   EACH(example_3_9) EACH(example_3_10) EACH(example_3_11) EACH(text_chapter_4) EACH(example_4_1) \
   EACH(example_4_2) EACH(example_4_3) EACH(example_4_4) EACH(example_4_5) EACH(example_4_6) \
   EACH(example_5_1) EACH(example_5_2) EACH(example_5_3) EACH(mrclam) EACH(example_5_4) \
-  EACH(section_6_1) EACH(section_6_3) EACH(section_6_3_2) EACH(section_6_4) EACH(section_6_4_3) \
-  EACH(consistency)
+  EACH(section_6_1) EACH(section_6_3) EACH(section_6_3_images) EACH(section_6_3_2) \
+  EACH(section_6_4_equations) EACH(section_6_4) EACH(section_6_4_3) EACH(points_claims) \
+  EACH(appendix_c_claims) EACH(appendix_c_runs) EACH(consistency)
 // clang-format on
 
 namespace incognita {

@@ -91,8 +91,7 @@ std::vector<double> errors(const std::vector<Run>& runs, int state, int step);
 /// How much less the squares of `fewer` are than those of `more`, run by run.
 std::vector<double> squares_less(const std::vector<double>& fewer, const std::vector<double>& more);
 
-/// The claim that the filter's bounds are right, for 1 and 2 landmarks: mean NEES after the last step in the
-/// chi-square band about 1.
+/// The claim that the filter's bounds are right, for 1 and 2 landmarks: mean NEES after the last step near 1.
 Claim consistent(const std::string& id, const std::string& place, Setup setup, int seeds);
 
 /// The claim that decorrelation makes the filter suboptimal, and its covariances too large rather than too

@@ -338,6 +338,28 @@ bool same(const Spaces& a, const Spaces& b) {
   return true;
 }
 
+std::optional<ClaimNumber> number_of(std::string what, int dimension) {
+  if (dimension == no_dimension) return std::nullopt;
+  return exactly(std::move(what), dimension);
+}
+
+std::optional<ClaimNumber> left_in_truth(const Study& study, const std::string& added) {
+  return number_of("dimensions left by the motion itself" + added, study.true_dimension());
+}
+
+bool seen_by_frozen_rows_only(const Study& study, const Vectors& vectors) {
+  const Spaces by_H = null_spaces(study, [](const Course&c) { return c.exact[0].H; }),
+               by_HF =
+                   null_spaces(study, [](const Course&c) -> MatrixXd { return c.exact[0].H * c.exact[0].F; });
+  const auto outside = [&](std::size_t i) {
+    return std::ranges::none_of(vectors(study.courses()[i]),
+                                [&](const VectorXd& v) { return by_HF[i].contains(v); });
+  };
+  bool frozen = contain(by_H, study.courses(), vectors) && study.along_contains(vectors);
+  for (std::size_t i = 0; i < by_HF.size(); ++i) frozen = frozen && outside(i);
+  return frozen;
+}
+
 std::vector<std::string> observable_states(const Spaces& spaces, const std::vector<std::string>& states) {
   std::vector<std::string> seen;
   for (std::size_t state = 0; state < states.size(); ++state) {

@@ -2,26 +2,32 @@
 // (4.8), the observability along the motion itself, and printed vectors compared with their null spaces.
 //
 // Motions: three segments of 1 s (in space 0.25 s), unless said otherwise; start, inputs and what disturbs
-// the system drawn from its regions as `incognita observe` draws them with seeds 1 to 20. No noise. SOM and
-// TOM: F and H of the system's error form where each segment begins. `The motion itself`: the local
-// observability matrix along it, by exact derivatives, with unknown disturbances taken out; Lie derivatives
-// agree with it (text-4). Holds: a dimension when it is the same in all motions, by singular values above
-// 1e-9 of the largest and a factor of 1000 clear of the others. A printed null space when its vectors lie in
-// the computed one (to 1e-9), are independent and as many as its dimension. A state is observable when no
-// vector of the null space touches it. Claims about Q_1, SOM or TOM are assessed by them. Claims about the
-// system or its states - observable, recovered, a number of modes - must hold for the motion itself as well;
-// where they hold only for the matrices, or only for the motion, the claim holds as corrected when the null
-// space of the other is the one in `why`, and else it does not hold.
+// the system drawn from its regions as `incognita observe` draws them with seeds 1 to 20. No noise. A
+// dimension holds when it is the same in all motions, by singular values above 1e-9 of the largest and a
+// factor of 1000 clear of the others. A printed null space holds when its vectors lie in the computed one (to
+// 1e-9), are independent and as many as its dimension. A state is observable when no vector of the null space
+// touches it.
+//
+// A claim about the matrices themselves - F, H, Q_1, SOM, TOM, what spans their null spaces - has one finding.
+// A claim about a system or its states - observable, recovered, a number of modes - has two:
+// - in truth (InTruth, Claim::finding): by the motion itself, that is by the local observability matrix along
+//   it, with exact derivatives and with unknown disturbances taken out. Lie derivatives agree with it
+//   (text-4-piecewise). `In one segment` is a motion of one segment, measured all along.
+// - by the method of the thesis (ByMethod, Claim::by_method): by the null spaces of SOM and TOM with F and H
+//   of the system's error form where each segment begins, frozen until its end; in one segment by Q_1.
+// They differ because H F is not how H changes when F moves the vehicle: seen_by_frozen_rows_only().
 #pragma once
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/cases.hpp"
+#include "experiments/two_findings.hpp"
 #include "experiments/worst.hpp"
 #include "incognita/analysis/observability/null_space.hpp"
 #include "incognita/analysis/systems/linearization.hpp"
@@ -95,6 +101,7 @@ class Study {
 
   const Case& which() const { return which_; }
   const std::vector<Course>& courses() const { return courses_; }
+  const std::vector<std::string>& states() const { return states_; }
   const std::vector<std::string>& error_states() const { return error_states_; }
   /// Of the first k segments together: (4.8) and (4.7).
   const Spaces& stripped(int k) const { return stripped_[static_cast<std::size_t>(k - 1)]; }
@@ -163,10 +170,12 @@ class Studies {
 Studies by_features(std::initializer_list<int> numbers, Case which);
 Studies by_anchors(std::initializer_list<int> numbers, Case which);
 
-/// By the motion itself; by the SOM of two segments as well; by neither, even in three.
+// In truth:
 inline bool fully_observable(const Study& s) { return s.true_dimension() == 0; }
-inline bool observable_in_two(const Study& s) { return s.left(2) == 0 && fully_observable(s); }
-inline bool remains_partial(const Study& s) { return s.left(3) > 0 && s.true_dimension() > 0; }
+inline bool partially_observable(const Study& s) { return s.true_dimension() > 0; }
+// By the method:
+inline bool full_in_two(const Study& s) { return s.full_rank(2); }
+inline bool never_full(const Study& s) { return s.rank_deficient(3); }
 
 /// Whether it holds for each of the numbers, for example of segments or features.
 inline bool for_all(std::initializer_list<int> numbers, const std::function<bool(int)>& holds) {
@@ -174,7 +183,8 @@ inline bool for_all(std::initializer_list<int> numbers, const std::function<bool
 }
 std::vector<int> each_of(std::initializer_list<int> numbers, const std::function<int(int)>& of);
 
-/// The claim by assessed(), over all motions of `cases` cases.
+/// The claim by assessed(), over all motions of `cases` cases: of matrices with what it found of them, of a
+/// system with InTruth and ByMethod.
 template <class... Findings>
 Claim studied(int cases, std::string id, std::string place, std::string statement, Evidence evidence,
               const Findings&... findings) {
@@ -186,6 +196,12 @@ Claim studied(std::string id, std::string place, std::string statement, Evidence
               const Findings&... findings) {
   return studied(1, std::move(id), std::move(place), std::move(statement), std::move(evidence), findings...);
 }
+
+/// The number of a claim that a dimension decides; none when it is not the same in all motions.
+std::optional<ClaimNumber> number_of(std::string what, int dimension);
+/// `dimensions left by the motion itself`, with what is added.
+std::optional<ClaimNumber> left_in_truth(const Study& study, const std::string& added = "");
+
 /// Each case is studied once.
 const Study& study(const Case& which);
 
@@ -216,6 +232,10 @@ bool same(const Spaces& a, const Spaces& b);
 /// States that are zero in all vectors of all spaces; with a question mark where some motions' do.
 std::vector<std::string> observable_states(const Spaces& spaces, const std::vector<std::string>& states);
 
+/// Whether each vector changes no measurement, neither the first nor those along the motion, but H F, in which
+/// H is frozen while F moves the vehicle: then SOM and TOM have too high a rank for that reason.
+bool seen_by_frozen_rows_only(const Study& study, const Vectors& vectors);
+
 /// (4.8) of the first k segments when F and H are not the system's.
 Spaces stripped_with(const Study& study, int k,
                      const std::function<void(LinearizedSystem&, const SystemPoint&)>& change);
@@ -225,7 +245,6 @@ inline double apart(const MatrixXd& a, const MatrixXd& b) { return (a - b).cwise
 /// Largest of a number over all motions.
 double largest(const Study& study, const std::function<double(const Course&)>& of);
 
-inline const char* yes_no(bool it_is) { return it_is ? "yes" : "no"; }
 /// `x and y`, `none`
 std::string listed(const std::vector<std::string>& names);
 
@@ -233,6 +252,9 @@ std::string listed(const std::vector<std::string>& names);
 
 /// Section 4.1: Gramian, SOM and TOM, what the method can show.
 std::vector<Claim> method_claims();
+
+/// Section 4.3, Abstract and conclusions: what a filter learns, by the motions that null spaces tell.
+std::vector<Claim> filter_claims(int seeds);
 
 /// Example 4.3: the relative map.
 std::vector<Claim> planar_cv_relative_claims();

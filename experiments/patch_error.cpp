@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
+#include "experiments/first_surface.hpp"
 #include "incognita/app/loop/assembly.hpp"
 #include "incognita/io/scenario/camera.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
-#include "incognita/world/rendered/room_layout.hpp"
 
 using namespace incognita;
 
@@ -29,20 +29,6 @@ constexpr double rate_hz = 30;
 constexpr int lags[] = {0, 1, 2, 3, 5, 10, 15, 30, 45, 60, 90, 120, 180, 240, 300};  // frames
 
 using Errors = std::map<std::int64_t, Eigen::Vector2d>;  ///< px, by frame
-
-/// Where a ray that starts in the room leaves it or first enters a box.
-Eigen::Vector3d first_surface(const RoomLayout& room, const Eigen::Vector3d& from,
-                              const Eigen::Vector3d& along) {
-  const Eigen::Array3d walls = (along.array() > 0).select(room.inside.max.array(), room.inside.min.array());
-  double nearest = ((walls - from.array()) / along.array()).minCoeff();
-  for (const Box& box : room.boxes) {
-    const Eigen::Array3d a = (box.min - from).array() / along.array(),
-                         b = (box.max - from).array() / along.array();
-    const double enter = a.min(b).maxCoeff(), leave = a.max(b).minCoeff();
-    if (enter > 0 && enter < leave && enter < nearest) nearest = enter;
-  }
-  return from + nearest * along;
-}
 
 /// Runs the loop as the program does, and keeps the error of every match that was used.
 std::map<std::int64_t, Errors> errors_of_a_run(const std::string& seed,

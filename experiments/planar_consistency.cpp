@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "experiments/run_trace.hpp"
+#include "incognita/analysis/evaluation/map_error.hpp"
 #include "incognita/slam/estimator/single_vehicle.hpp"
 
 namespace incognita {
@@ -34,6 +35,33 @@ PlanarSlamSettings settings_for(const PlanarLoopSettings& drive, const PlanarFil
   s.sensor.sigma_bearing_rad = drive.sigma_bearing_rad;
   s.filter.sigma_fix_m = drive.sigma_fix_m;
   return s;
+}
+
+LandmarksAtOnce landmarks_of(const Estimate& estimate, const std::vector<RangeRecording::Landmark>& truth) {
+  double error2 = 0, variance = 0, count = 0;
+  for (const auto& [id, landmark] : estimate.landmarks) {
+    if (landmark.fixed) continue;
+    const LandmarkPosition at = *position_of(landmark, estimate);
+    error2 += (at.position - truth[static_cast<std::size_t>(id)].position).squaredNorm();
+    variance += at.covariance.trace(), ++count;
+  }
+  return {std::sqrt(error2 / count), std::sqrt(variance / count)};
+}
+
+double fitted_position_rms(const RunTrace& trace) {
+  std::vector<Eigen::Vector2d> path, truth;
+  for (const PoseInstant& i : trace.instants)
+    path.push_back(i.mean.head<2>()), truth.push_back(i.truth.head<2>());
+  const PlanarFit fit = fit_rigid(path, truth);
+  double sum = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) sum += (fit(path[i]) - truth[i]).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(path.size()));
+}
+
+double position_sigma(const RunTrace& trace) {
+  double sum = 0;
+  for (const PoseInstant& i : trace.instants) sum += i.covariance.topLeftCorner<2, 2>().trace();
+  return std::sqrt(sum / static_cast<double>(trace.instants.size()));
 }
 
 }  // namespace
@@ -71,22 +99,33 @@ StandingVehicle standing_vehicle(const StandingSettings& settings, RandomStream&
   return {degrees(std::sqrt(variance)), std::pow(wrap_angle(at.state[2]), 2) / variance};
 }
 
-StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization) {
+StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization, int measurements) {
   RandomStream random(seed, "standing vehicle");
   const double heading = -radians(standing_sigma_heading_deg) * random.normal();
-  return standing_vehicle({.linearization = linearization, .first_estimate = {0, 0, heading}}, random);
+  return standing_vehicle(
+      {.linearization = linearization, .first_estimate = {0, 0, heading}, .measurements = measurements},
+      random);
 }
 
 PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint64_t seed,
-                                     const PlanarFilterSettings& filter) {
+                                     const PlanarFilterSettings& filter, double sigma_first_heading_rad) {
   const auto recordings =
       std::make_shared<const std::vector<RangeRecording>>(1, drive_planar_loop(drive, seed));
+  const RangeRecording& recording = recordings->front();
+  PlanarSlamSettings settings = settings_for(drive, filter);
+  settings.start.sigma_heading_rad = sigma_first_heading_rad;
+  settings.start.heading_rad = sigma_first_heading_rad * RandomStream(seed, "first heading").normal();
   RunTrace trace;
-  double nis = 0, updates = 0;
+  PlanarConsistency result;
+  double updates = 0;
+  bool half = false;
   const auto gather = [&](const Estimate& estimate, const Tick& tick) {
-    if (estimate.last.update.rows > 0) nis += estimate.last.update.nis / estimate.last.update.rows, ++updates;
-    if (tick.frame == 0) return;  // the start is known exactly
-    const auto truth = true_position(recordings->front(), tick.t);
+    if (estimate.last.update.rows > 0)
+      result.nis += estimate.last.update.nis / estimate.last.update.rows, ++updates;
+    if (!half && 2 * tick.t >= drive.duration_s)
+      result.at_half = landmarks_of(estimate, recording.landmarks), half = true;
+    if (tick.frame == 0) return;  // the start is known exactly, or its first heading was drawn
+    const auto truth = true_position(recording, tick.t);
     const Body& at = estimate.bodies.front();
     trace.add(
         tick.t,
@@ -94,9 +133,15 @@ PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint6
   };
   std::vector<std::int64_t> anchors(filter.anchors.size());
   std::iota(anchors.begin(), anchors.end(), 0);  // the drive identifies its landmarks by their order
-  replay(recordings, drive.duration_s, {drive.max_range_m * 2, filter.use_fixes ? Fixes::all : Fixes::none},
-         single_vehicle(settings_for(drive, filter), anchors), gather);
-  return {trace.mean_nees(), nis / updates, trace.position_rms_m(), trace.heading_rms_rad()};
+  const Estimate last = replay(recordings, drive.duration_s,
+                               {drive.max_range_m * 2, filter.use_fixes ? Fixes::all : Fixes::none},
+                               single_vehicle(settings, anchors), gather);
+  result.nees = trace.mean_nees(), result.nis /= updates;
+  result.position_rms_m = trace.position_rms_m(), result.heading_rms_rad = trace.heading_rms_rad();
+  result.fitted_position_rms_m = fitted_position_rms(trace);
+  result.position_sigma_m = position_sigma(trace);
+  result.at_end = landmarks_of(last, recording.landmarks);
+  return result;
 }
 
 }  // namespace incognita

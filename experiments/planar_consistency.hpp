@@ -19,16 +19,25 @@ struct PlanarFilterChoice {
 };
 std::vector<PlanarFilterChoice> planar_filter_choices();
 
-/// Of one drive, averaged over its scans.
+/// The landmarks that are estimated, at one time: rms of their errors and of their sigmas, m.
+struct LandmarksAtOnce {
+  double error_m = 0, sigma_m = 0;
+};
+
+/// Of one drive, averaged over its scans unless said.
 struct PlanarConsistency {
   double nees = 0;  ///< of the pose, per degree of freedom: 1 is right
   double nis = 0;   ///< of the innovations, likewise
   double position_rms_m = 0;
   double heading_rms_rad = 0;
+  double fitted_position_rms_m = 0;  ///< after a rigid fit of the path
+  double position_sigma_m = 0;       ///< rms, by the filter
+  LandmarksAtOnce at_half, at_end;
 };
-/// Anchors of the filter, if any, are the first landmarks of the drive, in their order.
+/// Anchors of the filter, if any, are the first landmarks of the drive, in their order. The first heading is drawn
+/// with the sigma that the filter is given; 0: it is known.
 PlanarConsistency planar_consistency(const PlanarLoopSettings& drive, std::uint64_t seed,
-                                     const PlanarFilterSettings& filter);
+                                     const PlanarFilterSettings& filter, double sigma_first_heading_rad = 0);
 
 /// The drives of the table are those of the seeds after this.
 inline constexpr std::uint64_t first_consistency_seed = 1000;
@@ -50,6 +59,7 @@ struct StandingVehicle {
 };
 StandingVehicle standing_vehicle(const StandingSettings& settings, RandomStream& random);
 /// At a known position, with a first heading drawn.
-StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization);
+StandingVehicle standing_vehicle(std::uint64_t seed, Linearization linearization,
+                                 int measurements = standing_measurements);
 
 }  // namespace incognita

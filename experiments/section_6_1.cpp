@@ -1,67 +1,94 @@
-// Figure 6.2 and Section 6.1: the information gain of a camera on a plane, and what the metrics are.
-//
-// The camera stands at the origin, known to 0.2 m and 5 degrees, and measures bearings to 0.5 degrees within
-// 90 degrees of its heading. Three landmarks: to its left, in front, and to the right of that; each known to
-// 0.5 m. It may move 0.5 m in any direction with the same heading.
+// Figure 6.2 and Section 6.1: the information gain of the camera of section_6_1.hpp, and what entropy and mutual
+// information are.
+#include "experiments/section_6_1.hpp"
+
 #include <array>
 #include <ranges>
 #include <utility>
 
 #include "experiments/common.hpp"
-#include "incognita/decision/information_gain.hpp"
 #include "incognita/math/gaussian.hpp"
 #include "incognita/models/sensors/bearing.hpp"
 
 namespace incognita {
-namespace {
+namespace section_6_1_plane {
 
-constexpr double sigma_bearing = 0.5 * pi / 180;
+Plane::Plane(std::vector<Vector2d> places) : points(std::move(places)) {
+  camera = belief.add_vehicle(DifferentialDrive::chart, Vector3d::Zero(),
+                              Vector3d(0.04, 0.04, std::pow(5 * pi / 180, 2)).asDiagonal().toDenseMatrix());
+  for (const Vector2d& at : points)
+    blocks.push_back(belief.augment(Chart::line(2), at, {}, 0.25 * Matrix2d::Identity()));
+}
 
-struct Plane {
-  AnyBelief belief;
-  BlockId camera = 0;
-  std::vector<Vector2d> points;
-  std::vector<BlockId> blocks;
+void Plane::know(std::size_t landmark, const Matrix2d& covariance) {
+  belief.replace(blocks[landmark], Chart::line(2), points[landmark], BlockMatrix::Zero(2, 2),
+                 BlockMatrix(covariance));
+}
 
-  Plane() : Plane({{0.3, 1.8}, {2.2, 0.3}, {1.7, -1.4}}) {}
-  explicit Plane(std::vector<Vector2d> places) : points(std::move(places)) {
-    camera = belief.add_vehicle(DifferentialDrive::chart, Vector3d::Zero(),
-                                Vector3d(0.04, 0.04, std::pow(5 * pi / 180, 2)).asDiagonal().toDenseMatrix());
-    for (const Vector2d& at : points)
-      blocks.push_back(belief.augment(Chart::line(2), at, {}, 0.25 * Matrix2d::Identity()));
+ImaginedStep Plane::step_to(const Vector2d& position) const {
+  ImaginedStep step{BlockMatrix::Identity(3, 3), 1e-4 * BlockMatrix::Identity(3, 3), {}};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto prediction =
+        Bearing::predict_measurement(planar::Pose<double>(position.x(), position.y(), 0), points[i]);
+    if (!prediction || std::abs(prediction->z[0]) > pi / 2) continue;
+    PredictedMeasurement measurement;
+    measurement.of = PredictedMeasurement::Of::mapped;
+    measurement.block = blocks[i];
+    measurement.Hv = prediction->Hv;
+    measurement.Hl = prediction->Hl;
+    measurement.R = sigma_bearing * sigma_bearing * MeasurementMatrix::Identity(1, 1);
+    step.measurements.push_back(measurement);
   }
+  return step;
+}
 
-  ImaginedStep step_to(const Vector2d& position) const {
-    ImaginedStep step{BlockMatrix::Identity(3, 3), 1e-4 * BlockMatrix::Identity(3, 3), {}};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto prediction =
-          Bearing::predict_measurement(planar::Pose<double>(position.x(), position.y(), 0), points[i]);
-      if (!prediction || std::abs(prediction->z[0]) > pi / 2) continue;
-      PredictedMeasurement measurement;
-      measurement.of = PredictedMeasurement::Of::mapped;
-      measurement.block = blocks[i];
-      measurement.Hv = prediction->Hv;
-      measurement.Hl = prediction->Hl;
-      measurement.R = sigma_bearing * sigma_bearing * MeasurementMatrix::Identity(1, 1);
-      step.measurements.push_back(measurement);
-    }
-    return step;
+InformationGain Plane::gain_of(const ImaginedStep& step) const {
+  InformationGain gain;
+  gain.start(belief, camera);
+  gain.push(step);
+  return gain;
+}
+
+void Plane::measure_at(const Vector2d& position) {
+  const ImaginedStep step = step_to(position);
+  belief.predict({camera, Vector3d(position.x(), position.y(), 0), step.A, step.N});
+  std::vector<LinearizedMeasurement> seen;
+  for (const PredictedMeasurement& measurement : step.measurements) {
+    LinearizedMeasurement affine;
+    affine.add(camera, measurement.Hv);
+    affine.add(measurement.block, measurement.Hl);
+    affine.residual = MeasurementVector::Zero(1);
+    affine.R = measurement.R;
+    seen.push_back(affine);
   }
+  belief.update(seen);
+}
 
-  /// The information of the measurements after a step.
-  InformationGain gain_of(const ImaginedStep& step) const {
-    InformationGain gain;
-    gain.start(belief, camera);
-    gain.push(step);
-    return gain;
-  }
-
-  double gain_at(const Vector2d& position) const { return gain_of(step_to(position)).of_state(); }
-};
-
-Vector2d way(int degrees) {
+Vector2d way(double degrees) {
   return 0.5 * Vector2d(std::cos(degrees * pi / 180), std::sin(degrees * pi / 180));
 }
+
+Plane drawn_landmarks(RandomStream& random) {
+  std::vector<Vector2d> places;  // to the left, ahead, and to the right
+  for (const auto& [from, to] : {std::pair(70, 100), std::pair(-10, 15), std::pair(-60, -25)}) {
+    const double angle = random.uniform(from, to) * pi / 180, away = random.uniform(1, 2.5);
+    places.emplace_back(away * std::cos(angle), away * std::sin(angle));
+  }
+  return Plane(places);
+}
+
+void measure_often(Plane& plane, int measurements, RandomStream& random) {
+  for (int i = 0; i < measurements; ++i) {
+    const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+    plane.measure_at({x, y});
+  }
+}
+
+}  // namespace section_6_1_plane
+
+namespace {
+
+using namespace section_6_1_plane;
 
 /// (6.6) by the determinants of the whole covariance, before and after.
 double by_determinants(const Plane& plane, const Vector2d& position) {
@@ -105,18 +132,6 @@ int best_way(const Plane& plane) {
   return best;
 }
 
-double direction_of(const Vector2d& p) { return std::atan2(p.y(), p.x()) * 180 / pi; }
-
-/// A layout like that of the figure, whose numbers are not printed.
-Plane drawn_landmarks(RandomStream& random) {
-  std::vector<Vector2d> places;  // to the left, ahead, and to the right
-  for (const auto& [from, to] : {std::pair(70, 100), std::pair(-10, 15), std::pair(-60, -25)}) {
-    const double angle = random.uniform(from, to) * pi / 180, away = random.uniform(1, 2.5);
-    places.emplace_back(away * std::cos(angle), away * std::sin(angle));
-  }
-  return Plane(places);
-}
-
 Claim where_it_is_best(const Plane& plane) {
   constexpr int layouts = 100;
   int between = 0;
@@ -129,14 +144,39 @@ Claim where_it_is_best(const Plane& plane) {
   return assessed("6.2-between", "Figure 6.2",
                   "There are such layouts: of three landmarks to the left, in front and to the right, moving "
                   "between the second and the third is the most informative",
-                  {.printed = "between landmarks 2 and 3",
+                  {.rule = Rule::example,
                    .measured = {"in {} of {} layouts; in the drawn one best at {} degrees, {:.2f} nats, "
                                 "landmarks at {:.0f}, {:.0f} and {:.0f} degrees",
                                 between, layouts, best_way(plane), plane.gain_at(way(best_way(plane))),
                                 direction_of(plane.points[0]), direction_of(plane.points[1]),
                                 direction_of(plane.points[2])},
+                   .number = exactly("layouts in which it is so, of 100", between),
                    .runs = layouts},
                   between > 0);
+}
+
+/// (6.4) against (6.5), of random tables.
+Claim conditional_entropy() {
+  RandomStream random(4, "section-6.1");
+  constexpr int tables = 100;
+  Worst worst;
+  for (int i = 0; i < tables; ++i) {
+    MatrixXd p = MatrixXd::NullaryExpr(3, 4, [&] { return random.uniform(0.1, 1); });  // by x and z
+    p /= p.sum();
+    const Eigen::RowVectorXd of_z = p.colwise().sum();
+    const MatrixXd given = p * of_z.cwiseInverse().asDiagonal();
+    const auto entropy = [](const MatrixXd& q) { return -(q.array() * q.array().log()).sum(); };
+    const double truth = entropy(p) - entropy(of_z), sum = (p.array() * given.array().log()).sum();
+    worst.take(std::abs(sum - truth), std::abs(-sum - truth));
+  }
+  return assessed("6.1-conditional", "(6.4), (6.5)",
+                  "(6.4) is the conditional entropy, H(X, Z) - H(Z) of (6.5); to 1e-12",
+                  {.printed = "H(X|Z) = sum p(x, z) log p(x|z)",
+                   .measured = {"of {} random tables: {}", tables, worst.text("nats")},
+                   .number = exactly("largest difference of (6.4) from (6.5)", worst.printed, "nats"),
+                   .why = "with a minus: H(X|Z) = - sum p(x, z) log p(x|z). (6.5) follows from that",
+                   .runs = tables},
+                  worst, 1e-12);
 }
 
 /// (6.6): the printed determinants, ours, and that measurements lose no information.
@@ -149,6 +189,7 @@ std::vector<Claim> identities(const Plane& plane) {
     apart = std::max(apart, std::abs(ours - theirs) / (1 + theirs));
     least = std::min(least, ours);
   }
+  const double none = plane.gain_at({50, 0});
   const MatrixXd large = 1e-4 * MatrixXd::Identity(313, 313);
   // A Gaussian known exactly but for one number of variance v: -sum p log p is half of 1 + log 2 pi v
   const double variance = 0.3;
@@ -166,64 +207,19 @@ std::vector<Claim> identities(const Plane& plane) {
                apart < 1e-9),
       assessed("6.6-positive", "below (6.6)",
                "Mutual information is always positive: measurements lose no information",
-               {.measured = {"least of 1000 positions {:.3g} nats; of none in view exactly {}", least,
-                             plane.gain_at({50, 0})}},
-               least > 0),
+               {.rule = Rule::example,
+                .measured = {"least of 1000 positions {:.3g} nats; of none in view exactly {}", least, none},
+                .number = exactly("least information gain of a measurement", least, "nats")},
+               least > 0 && none >= 0),
       assessed(
           "6.2-entropy", "(6.1), (6.2)", "The entropy of a Gaussian is half of log((2 pi)^n |P|); to 1e-6",
           {.printed = "1/2 log((2 pi)^n |P|)",
            .measured = {"of variance 0.3: integral {:.6f}, printed {:.6f}, with e {:.6f} nats", integral,
                         printed, ours},
+           .number = exactly("difference of the printed entropy", std::abs(integral - printed), "nats"),
            .why =
                "with e: half of log((2 pi e)^n |P|). Differences of entropies, all that decides, are right"},
-          std::abs(integral - printed) < 1e-6, std::abs(integral - ours) < 1e-6)};
-}
-
-/// (6.8) has S where the Fisher information of a measurement has R, and they order measurements the other way
-/// around.
-Claim fisher() {
-  const auto traces = [](double landmark_sigma) {
-    Plane other;
-    other.belief.replace(other.blocks[0], Chart::line(2), other.points[0],
-                         2 * landmark_sigma * BlockMatrix::Identity(2, 2), BlockMatrix::Zero(2, 2));
-    ImaginedStep step = other.step_to({0, 0});
-    step.measurements.resize(1);
-    const InformationGain gain = other.gain_of(step);
-    return std::array{gain.fisher_trace(), gain.fisher_trace_given_state(), gain.of_state()};
-  };
-  const auto uncertain = traces(0.5), certain = traces(0.01);
-  return assessed(
-      "6.8-uncertain", "(6.8), Section 6.3.1",
-      "The Fisher information of (6.8), H' S^-1 H, is greatest where the measured landmark is the most "
-      "uncertain",
-      {.printed = "choose the best direction to look at [...] those most uncertain landmarks",
-       .measured =
-           {"trace of a measurement of the first landmark, known to 0.5 m and to 1 cm: (6.8) {:.3g} and "
-            "{:.3g}; with R in place of S {:.3g} and {:.3g}; mutual information {:.2f} and {:.2f} nats",
-            uncertain[0], certain[0], uncertain[1], certain[1], uncertain[2], certain[2]},
-       .why = "S grows with the uncertainty of the landmark, so its inverse falls: (6.8) prefers landmarks "
-              "that are well known. The Fisher information given the state, with R, does not depend on it; "
-              "mutual information grows with it"},
-      uncertain[0] > certain[0]);
-}
-
-/// Measures the landmarks from all around until they are fully correlated.
-void measure_often(Plane& plane, int measurements, RandomStream& random) {
-  for (int i = 0; i < measurements; ++i) {
-    const Vector2d position(random.uniform(-1, 1), random.uniform(-1, 1));
-    const ImaginedStep step = plane.step_to(position);
-    plane.belief.predict({plane.camera, Vector3d(position.x(), position.y(), 0), step.A, step.N});
-    std::vector<LinearizedMeasurement> seen;
-    for (const PredictedMeasurement& measurement : step.measurements) {
-      LinearizedMeasurement affine;
-      affine.add(plane.camera, measurement.Hv);
-      affine.add(measurement.block, measurement.Hl);
-      affine.residual = MeasurementVector::Zero(1);
-      affine.R = measurement.R;
-      seen.push_back(affine);
-    }
-    plane.belief.update(seen);
-  }
+          std::abs(integral - printed) < 1e-6, as_corrected(std::abs(integral - ours) < 1e-6))};
 }
 
 /// Over all directions, nats: the largest information gain about the map; and how much less than the best gain
@@ -266,16 +262,20 @@ Claim once_correlated() {
                     "{:.4f}; in a map not measured yet {:.2f} nats of the map",
                     layouts, measurements, of_map, lost_by_own, lost_by_own_given_map,
                     gains_of_all_directions(Plane())[0]},
-       .why = "with the camera's entropy given the map. By itself it also counts information about the joint "
-              "position of camera and map, which measurements do not have",
+       .number = exactly("information lost by the camera's own entropy, worst layout", lost_by_own, "nats"),
+       .why = "if it is the camera's entropy given the map. Its own also has the position of camera and map "
+              "together",
        .runs = layouts},
-      of_map < 0.01 && lost_by_own < 0.01, of_map < 0.01 && lost_by_own_given_map < 0.01);
+      of_map < 0.01 && lost_by_own < 0.01, on_condition(of_map < 0.01 && lost_by_own_given_map < 0.01));
 }
 
 LedgerEntry run_section_6_1(const ExperimentSettings& settings) {
   const Plane plane;
-  return entry_of(section_6_1, settings,
-                  {identities(plane), where_it_is_best(plane), fisher(), once_correlated()}, {figure(plane)});
+  return entry_of(
+      section_6_1, settings,
+      {identities(plane), conditional_entropy(), where_it_is_best(plane), fisher_claims(), once_correlated(),
+       choice_claims(10 * settings.seeds), surface_claims(10 * settings.seeds)},
+      {figure(plane)});
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
 // Claims in the running text of Chapter 4 outside its examples: about the method in
-// text_chapter_4_method.cpp, and here about the systems, at the heads of subsections and in the conclusion
-// (Section 4.4).
+// text_chapter_4_method.cpp, tested on a filter in text_chapter_4_filter.cpp, and here about the systems, at
+// the heads of subsections and in the conclusions (Sections 4.4 and 7.1).
 //
 // Experiment: the built-in systems, motions and rules of observability_claims.hpp; also at rest,
-// unaccelerated (see example_4_2.cpp), and with a camera whose accelerations are known. That a system becomes
-// observable is assessed by the motion itself as well.
+// unaccelerated (see example_4_2.cpp), and with a camera whose accelerations are known.
 #include <array>
 #include <map>
 
@@ -24,10 +23,20 @@ const Study& relative(const std::string& system, const std::string& motion = "ge
   return study(relative_map(system, 1, motion));
 }
 
-std::vector<Claim> partial_or_not() {
+Claim worlds() {
   Studies worlds;
   for (const char* system : {"monobot", "planar", "planar-rb", "inertial", "inertial-rb", "planar-cv", "cv6"})
     worlds.add(system, of(system));
+  return studied(worlds.cases(), "text-4-world", "Sections 4.1.1 and 4.1.2",
+                 "World-centric maps without anchors are partially observable in any SLAM case",
+                 {.rule = Rule::dimension,
+                  .measured = worlds.text(),
+                  .number = number_of("fewest dimensions left by the motion itself, of seven systems",
+                                      std::ranges::min(worlds.each(&Study::true_dimension)))},
+                 InTruth{worlds.all(partially_observable)}, ByMethod{worlds.all(never_full)});
+}
+
+std::vector<Claim> moving_or_at_rest() {
   Studies anchored;
   const Study &moving = anchored.add("moving", of("planar", 2)),
               &rest = anchored.add("at rest", of("planar", 2, "stationary"));
@@ -36,16 +45,20 @@ std::vector<Claim> partial_or_not() {
     still.add(fmt::format("{} anchor{}", anchors, anchors == 1 ? "" : "s"),
               of("planar", anchors, "stationary"));
   still.add("relative map", relative("planar", "stationary"));
-  return {studied(worlds.cases(), "text-4-world", "Sections 4.1.1 and 4.1.2",
-                  "World-centric maps without anchors are partially observable in any SLAM case",
-                  {.printed = "partially", .measured = worlds.text()}, worlds.all(remains_partial)),
-          studied(anchored.cases(), "text-4-planar-anchors", "Section 4.1.1",
+  return {studied(anchored.cases(), "text-4-planar-anchors", "Section 4.1.1",
                   "With anchors (two) the planar vehicle is fully observable, as long as it translates",
-                  {.printed = "fully", .measured = anchored.text()},
-                  observable_in_two(moving) && remains_partial(rest)),
+                  {.rule = Rule::dimension,
+                   .measured = anchored.text(),
+                   .number = left_in_truth(rest, ", at rest with two anchors")},
+                  InTruth{fully_observable(moving) && partially_observable(rest)},
+                  ByMethod{full_in_two(moving) && never_full(rest)}),
           studied(still.cases(), "text-4-planar-at-rest", "Section 4.4",
                   "At zero velocity the planar vehicle's system simply is unobservable",
-                  {.printed = "unobservable", .measured = still.text()}, still.all(remains_partial))};
+                  {.rule = Rule::dimension,
+                   .measured = still.text(),
+                   .number = number_of("fewest dimensions left by the motion itself, of five maps",
+                                       std::ranges::min(still.each(&Study::true_dimension)))},
+                  InTruth{still.all(partially_observable)}, ByMethod{still.all(never_full)})};
 }
 
 /// The relative inertial map turned about the line on which the body travels: r by v x r, and the
@@ -72,17 +85,19 @@ Claim third_step() {
   });
   return studied(
       4, "text-4-third-step", "Section 4.4",
-      "Without acceleration the inertial model becomes one of constant velocity, and takes a third step to "
-      "full rank of the TOM (relative map)",
-      {.printed = "third",
-       .measured = {"{}: {}. Without gravity the TOM leaves {} after 1/2/3/4/5/6 segments, and the SOM from "
-                    "the third on the turn about the line of travel: {}",
-                    legend, inertial::by_unaccelerated(inertial::relative()), joined(on.total_dimensions()),
-                    yes_no(one_for_good)},
-       .why = "with f = 0 when it falls. At constant velocity its segments begin on one line, and one "
-              "direction remains unobservable, the turn about it; under gravity f = -g, and two steps do"},
+      "Without acceleration (f = 0) the TOM of the relative inertial map has full rank in three segments and "
+      "not in two: falling, and at constant velocity",
+      {.rule = Rule::dimension,
+       .measured = {"left by SOM and TOM after 1/2/3 segments, and by the motion itself: {}. Without gravity "
+                    "the TOM leaves the turn about the line of travel from the third to the sixth: {}",
+                    inertial::by_unaccelerated(inertial::relative()), yes_no(one_for_good)},
+       .number = number_of("dimensions left by the TOM of three segments, at constant velocity (f = 0 "
+                           "without gravity)",
+                           dimension(weightless.total(3))),
+       .why = "if f = 0 means that the body falls. At constant velocity without gravity segments begin on "
+              "one line, and the turn about it is left for good; under gravity f = -g, and two steps do"},
       full_from(falls, 3) && full_from(weightless, 3),
-      full_from(falls, 3) && one_for_good && full_from(carried, 2));
+      on_condition(full_from(falls, 3) && one_for_good && full_from(carried, 2)));
 }
 
 Claim exteroceptive_only() {
@@ -94,40 +109,89 @@ Claim exteroceptive_only() {
   const Study &no_anchor = lines.add("planar-cv without", of("planar-cv")),
               &map = lines.add("relative map", relative("planar-cv")),
               &free = lines.add("cv6 without", of("cv6"));
-  const bool in_truth = observable_in_two(flat) && observable_in_two(space) &&
-                        std::ranges::all_of(std::array{&flat_rest, &space_rest, &no_anchor, &map, &free},
-                                            [](const Study* s) { return s->true_dimension() > 0; });
-  const bool but_one = std::ranges::all_of(std::array{&flat_rest, &space_rest, &no_anchor, &free},
-                                           [](const Study* s) { return s->rank_deficient(3); });
-  return studied(
-      lines.cases(), "text-4-only-anchors", "Section 4.1.4",
-      "Constant-velocity systems are fully observable with anchors and translation, and with nothing else",
-      {.printed = "anchors only",
-       .measured = lines.text(),
-       .why = "so it is for the motion itself. SOM and TOM of three segments have full rank for the relative "
-              "map as well"},
-      in_truth && but_one && map.rank_deficient(3), in_truth && but_one && map.full_rank(3));
+  const auto all = [](std::initializer_list<const Study*> studies, bool (*hold)(const Study&)) {
+    return std::ranges::all_of(studies, [&](const Study* s) { return hold(*s); });
+  };
+  const bool but_the_map =
+      all({&flat, &space}, full_in_two) && all({&flat_rest, &space_rest, &no_anchor, &free}, never_full);
+  return studied(lines.cases(), "text-4-only-anchors", "Section 4.1.4",
+                 "Constant-velocity systems are fully observable with anchors and translation, and with "
+                 "nothing else",
+                 {.rule = Rule::dimension,
+                  .measured = lines.text(),
+                  .number = left_in_truth(map, ", of the relative map")},
+                 InTruth{all({&flat, &space}, fully_observable) &&
+                         all({&flat_rest, &space_rest, &no_anchor, &map, &free}, partially_observable)},
+                 ByMethod{but_the_map && never_full(map), in_truth(but_the_map && map.full_rank(3))});
 }
 
-Claim cv_velocities() {
-  Cases always;
-  bool from_two = true;
-  const auto is_velocity = [](const std::string& state) { return state[0] == 'v' || state[0] == 'w'; };
-  for (const char* system : {"planar-cv", "cv6"})
+Claim scale() {
+  const Vectors of_scale = named({"scale"});
+  Studies without("without anchors");
+  for (const char* system : {"planar-cv", "cv6"}) without.add(system, of(system));
+  const Study& map = without.add("relative map", relative("planar-cv"));
+  const bool anchored = fully_observable(of("planar-cv", 2)) && fully_observable(of("cv6", 3));
+  const auto stays = [&](const Study& s) { return contain(s.total(3), s.courses(), of_scale); };
+  const bool by_matrices = full_in_two(of("planar-cv", 2)) && full_in_two(of("cv6", 3)),
+             always = without.all([&](const Study&s) { return s.along_contains(of_scale); });
+  return studied(
+      without.cases() + 2, "text-4-scale", "Section 7.1",
+      "Without proprioceptive sensors only anchors recover the scale: it is left without them",
+      {.rule = Rule::dimension,
+       .measured = {"{}; scaling all is left by the motion itself: {}, by the TOM of three "
+                    "segments: {}",
+                    without.text(), always ? "always" : "not always",
+                    without.all(stays) ? "always" : "not always"},
+       .number = left_in_truth(map, ", of the relative map, scale among them")},
+      InTruth{anchored && always},
+      ByMethod{by_matrices && without.all(stays),
+               in_truth(by_matrices && map.full_rank(3) && seen_by_frozen_rows_only(map, of_scale))});
+}
+
+/// How many velocities are among the states.
+int velocities_of(const std::vector<std::string>& states) {
+  return static_cast<int>(std::ranges::count_if(
+      states, [](const std::string& s) { return (s[0] == 'v' || s[0] == 'w') && s.back() != '?'; }));
+}
+
+/// Of the velocities, with 1, 2 and 3 anchors, those that one segment recovers.
+struct RecoveredVelocities {
+  int all;
+  std::vector<int> along, by_Q_1;
+
+  explicit RecoveredVelocities(const std::string& system) {
     for (const int anchors : {1, 2, 3}) {
-      const Study& s = of(system, anchors);
-      const auto recovered = std::ranges::count_if(s.observable(1), is_velocity),
-                 wanted = std::ranges::count_if(s.error_states(), is_velocity);
-      always.add({{"{}, {}: {} of {}", system, anchors, recovered, wanted}, recovered == wanted});
-      from_two = from_two && (anchors == 1 ? recovered == 0 : recovered == wanted);
+      const Study& s = study({.system = system, .anchors = anchors, .segments = 1});
+      all = velocities_of(s.states());
+      along.push_back(velocities_of(s.observable_along()));
+      by_Q_1.push_back(velocities_of(s.observable(1)));
     }
-  return studied(6, "text-4-cv-velocities", "Section 4.4",
-                 "With anchors one segment recovers the velocities of the constant-velocity models",
-                 {.printed = "recovered",
-                  .measured = {"velocities outside N(Q_1) with one feature in {} motions, by anchors: {}",
-                               motions, always.text()},
-                  .why = "from two anchors on"},
-                 always.hold(), from_two);
+  }
+  /// From so many anchors on they are recovered, with fewer not all.
+  bool from(int anchors, const std::vector<int>& recovered) const {
+    for (int n = 1; n <= 3; ++n)
+      if ((recovered[static_cast<std::size_t>(n - 1)] == all) != (n >= anchors)) return false;
+    return true;
+  }
+};
+
+Claim cv_velocities() {
+  const RecoveredVelocities plane("planar-cv"), space("cv6");
+  return studied(
+      6, "text-4-cv-velocities", "Section 4.4",
+      "With anchors one segment recovers the velocities of the constant-velocity models",
+      {.rule = Rule::dimension,
+       .measured = {"velocities recovered in one segment with 1/2/3 anchors, on the plane {} of {} by "
+                    "the motion itself and {} by Q_1; in space {} of {}, and {}",
+                    joined(plane.along), plane.all, joined(plane.by_Q_1), joined(space.along), space.all,
+                    joined(space.by_Q_1)},
+       .number = exactly("velocities of three that one segment recovers on the plane with one anchor",
+                         plane.along[0]),
+       .why = "with two anchors or more on the plane, and three in space; by Q_1 with two in both"},
+      InTruth{plane.from(1, plane.along) && space.from(1, space.along),
+              on_condition(plane.from(2, plane.along) && space.from(3, space.along))},
+      ByMethod{plane.from(1, plane.by_Q_1) && space.from(1, space.by_Q_1),
+               on_condition(plane.from(2, plane.by_Q_1) && space.from(2, space.by_Q_1))});
 }
 
 void known_acceleration(SystemText& text) {
@@ -145,65 +209,72 @@ Claim accelerations() {
   const Study &measured = lines.add("known accelerations",
                                     study({.system = "planar-cv", .change = {"known", known_acceleration}})),
               &rest = lines.add("two anchors at rest", of("planar-cv", 2, "stationary"));
-  const bool unknown_do_not = changing.dimensions() == constant.dimensions() &&
-                              changing.true_dimension() == constant.true_dimension() &&
-                              rest.true_dimension() > 0;
+  const bool unknown_do_not =
+      changing.true_dimension() == constant.true_dimension() && partially_observable(rest);
   return studied(
       lines.cases(), "text-4-accelerations", "Section 4.4",
-      "In constant-velocity models the accelerations, inputs to the system, do not affect observability; "
-      "zero velocity does",
-      {.printed = "do not",
+      "In constant-velocity models the accelerations, known inputs or not, do not affect observability; zero "
+      "velocity does",
+      {.rule = Rule::dimension,
        .measured = lines.text(),
-       .why = "as noise, which they are here. As known inputs they would make lengths and directions "
-              "observable"},
-      unknown_do_not && measured.true_dimension() == constant.true_dimension(),
-      unknown_do_not && measured.along_spanned_by(named({"translation"})));  // neither a turn nor a scale
+       .number = left_in_truth(measured, ", with known accelerations"),
+       .why = "if they are unknown noise. As known inputs they make lengths and directions observable, so "
+              "that only the translations are left"},
+      InTruth{unknown_do_not && measured.true_dimension() == constant.true_dimension(),
+              on_condition(unknown_do_not && measured.along_spanned_by(named({"translation"})))},
+      ByMethod{changing.dimensions() == constant.dimensions() &&
+               measured.dimensions() == constant.dimensions() && never_full(rest)});
 }
 
 Claim lower_limit() {
+  const Vectors translations = named({"translation"});
   Cases settles;
-  bool always = true;
+  bool along = true, by_matrices = true;
   for (const char* system : {"planar", "inertial", "planar-cv", "cv6"}) {
-    const Study& s = study({.system = system, .segments = 6});
+    const Study &s = study({.system = system, .segments = 5}), &three = of(system);
     const auto left = s.total_dimensions();
-    settles.add(
-        {{"{} {}", system, s.segments_text()}, left[2] == left[3] && left[3] == left[5] && left[5] > 0});
-    always = always && contain(s.total(6), s.courses(), named({"translation"})) &&
-             of(system).along_contains(named({"translation"}));
+    settles.add({{"{} {}", system, s.numbers()}, left[2] == left[3] && left[3] == left[4] && left[4] > 0});
+    by_matrices = by_matrices && contain(s.total(5), s.courses(), translations);
+    along = along && s.true_dimension() == three.true_dimension() && s.along_contains(translations);
   }
-  return studied(4, "text-4-lower-limit", "Section 4.4",
-                 "World-centric maps reach a lower limit of unobservable modes; the global position is among "
-                 "them however many segments",
-                 {.printed = "a limit",
-                  .measured = {"dimensions left by SOM and TOM after 1/2/3/4/5/6 segments: {}; translations "
-                               "among them, and left by the motion itself: {}",
-                               settles.text(), always ? "always" : "not always"}},
-                 settles.hold() && always);
+  return studied(
+      8, "text-4-lower-limit", "Section 4.4",
+      "World-centric maps reach a lower limit of unobservable modes, the global position among "
+      "them: three segments leave as many as five, the translations among them",
+      {.rule = Rule::dimension,
+       .measured = {"dimensions left by SOM and TOM after 1/2/3/4/5 segments, and by the motion "
+                    "itself of five: {}; translations among them: {} and {}",
+                    settles.text(), yes_no(by_matrices), yes_no(along)},
+       .number = left_in_truth(study({.system = "planar", .segments = 5}), " of five segments, planar")},
+      InTruth{along}, ByMethod{settles.hold() && by_matrices});
 }
 
 Claim becomes_observable() {
   Studies lines;
   const Study &flat = lines.add("planar with 2 anchors", of("planar", 2)),
               &space = lines.add("inertial with 2 anchors", of("inertial", 2)),
-              &flat_relative = lines.add("planar, relative map", relative("planar")),
-              &space_relative = lines.add("inertial, relative map", relative("inertial"));
+              &flat_map = lines.add("planar, relative map", relative("planar")),
+              &space_map = lines.add("inertial, relative map", relative("inertial"));
   const bool anchors = fully_observable(flat) && fully_observable(space);
-  return studied(lines.cases(), "text-4-observable", "Section 4.4",
+  return studied(lines.cases(), "text-4-observable", "Sections 4.4 and 7.1",
                  "Anchors, or a sensor-centric map with proprioceptive sensors, make the system fully "
                  "observable under a suitable motion",
-                 {.printed = "both",
+                 {.rule = Rule::dimension,
                   .measured = lines.text(),
+                  .number = left_in_truth(flat_map, ", of the relative map on the plane"),
                   .why = "anchors do. The sensor-centric map keeps one direction, heading and map turned "
-                         "(about the vertical)"},
-                 anchors && fully_observable(flat_relative) && fully_observable(space_relative),
-                 anchors && flat_relative.along_spanned_by(named({"rotation"})) &&
-                     space_relative.along_spanned_by(named({"rotation about z"})));
+                         "(about the vertical), which no motion makes observable"},
+                 InTruth{anchors && fully_observable(flat_map) && fully_observable(space_map),
+                         in_truth(anchors && flat_map.along_spanned_by(named({"rotation"})) &&
+                                  space_map.along_spanned_by(named({"rotation about z"})))},
+                 ByMethod{lines.all(full_in_two)});
 }
 
 LedgerEntry run_text_chapter_4(const ExperimentSettings& settings) {
-  return entry_of(text_chapter_4, settings,
-                  {method_claims(), partial_or_not(), third_step(), exteroceptive_only(), cv_velocities(),
-                   accelerations(), lower_limit(), becomes_observable()});
+  return entry_of(
+      text_chapter_4, settings,
+      {method_claims(), worlds(), moving_or_at_rest(), third_step(), exteroceptive_only(), scale(),
+       cv_velocities(), accelerations(), lower_limit(), becomes_observable(), filter_claims(settings.seeds)});
 }
 
 }  // namespace

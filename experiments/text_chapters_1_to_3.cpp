@@ -1,6 +1,6 @@
-// Claims in the running text of Chapters 1 to 3 about the linear case, and some that the planar vehicle
-// shows at once: the parts are text_chapter_2.cpp and text_chapter_3.cpp, each with its experiment at its
-// head.
+// Claims in the abstract and the running text of Chapters 1 to 3 about the linear case, and some that the
+// planar vehicle shows at once: the parts are text_abstract.cpp, text_chapter_2.cpp, text_chapter_3.cpp and
+// text_chapter_3_landmarks.cpp, each with its experiment at its head.
 #include <array>
 
 #include "experiments/common.hpp"
@@ -51,8 +51,8 @@ Plot riccati_limits() {
 
 LedgerEntry run_text_chapters_1_to_3(const ExperimentSettings& settings) {
   return entry_of(text_chapters_1_to_3, settings,
-                  {chapter_2_claims(settings.seeds), chapter_3_stability_claims(),
-                   chapter_3_landmark_claims(settings.seeds)},
+                  {abstract_claims(settings.seeds), chapter_2_claims(settings.seeds),
+                   chapter_3_stability_claims(), chapter_3_landmark_claims(settings.seeds)},
                   {riccati_limits()});
 }
 

@@ -7,7 +7,10 @@
 
 namespace incognita {
 
-/// Chapter 2: properties of SLAM, the Riccati equation (2.18), new landmarks (2.20)-(2.26).
+/// The abstract, as far as the linear case decides it.
+std::vector<Claim> abstract_claims(int seeds);
+
+/// Chapter 2: properties of SLAM, the Riccati equation (2.18), new landmarks (2.20)-(2.26); Appendix A.2.
 std::vector<Claim> chapter_2_claims(int seeds);
 
 /// Chapter 3 outside its examples, and Chapter 1 about it.

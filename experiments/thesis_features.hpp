@@ -3,9 +3,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "experiments/exploring_comparison.hpp"
+#include "experiments/exploring_run.hpp"
 
 namespace incognita::exploring {
 
@@ -28,10 +27,11 @@ inline Sets thesis_features(const std::string& sigma_pixel_px) {
           "bundle.adjust=false"};
 }
 
-/// The same strategies with these settings, too.
-inline std::vector<Strategy> with(const Sets& sets, std::vector<Strategy> strategies) {
-  for (Strategy& strategy : strategies) strategy.sets.insert(strategy.sets.end(), sets.begin(), sets.end());
-  return strategies;
+/// The same, and the metric as printed: all that would be in view counts. The scenarios have our variant.
+inline Sets as_printed_on_images(const std::string& sigma_pixel_px) {
+  Sets sets = thesis_features(sigma_pixel_px);
+  sets.push_back("exploration.counted=all");
+  return sets;
 }
 
 }  // namespace incognita::exploring

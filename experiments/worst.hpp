@@ -29,11 +29,11 @@ struct Worst {
   }
 };
 
-/// The claim that what is printed differs by no more than the tolerance; our correction otherwise.
+/// The claim that what is printed differs by no more than the tolerance; a misprint, if ours does.
 inline Claim assessed(std::string id, std::string place, std::string statement, Evidence evidence,
                       const Worst& worst, double tolerance) {
   return assessed(std::move(id), std::move(place), std::move(statement), std::move(evidence),
-                  worst.printed <= tolerance, worst.ours <= tolerance);
+                  worst.printed <= tolerance, as_corrected(worst.ours <= tolerance));
 }
 
 }  // namespace incognita

@@ -12,9 +12,9 @@ namespace {
 std::unique_ptr<ActionRule> rule_of(const DecisionSettings& s, const Mobility& mobility) {
   switch (s.strategy) {
     case DecisionSettings::Strategy::lawn_mower:
-      return std::make_unique<LawnMower>(s, mobility);
+      return lawn_mower(s, mobility);
     case DecisionSettings::Strategy::wall_follower:
-      return std::make_unique<WallFollower>(s, mobility);
+      return wall_follower(s, mobility);
     case DecisionSettings::Strategy::frontier:
       return std::make_unique<Frontier>(s, mobility);
     case DecisionSettings::Strategy::mutual_information:
@@ -41,6 +41,9 @@ std::unique_ptr<ActionRule> make_rule(const DecisionSettings& s, const Mobility&
     throw std::invalid_argument(
         "decision.strategy: must be `mutual-information`, `random`, `fixed-path` or `none` for a vehicle on a "
         "line");
+  if (rule && !(mobility.step_m > 0))
+    throw std::invalid_argument(
+        "decision.displacements_m: must have one that is not [0, 0, 0], unless decision.strategy is `none`");
   return rule;
 }
 

@@ -10,11 +10,20 @@
 namespace incognita {
 namespace {
 
-constexpr int planned_when_driving = 3;
+constexpr int planned = 3;
+constexpr double most_plans = 1000;  // of large sets, fewer actions are planned
 constexpr std::size_t most_stops =
     16;  // older ones are forgotten: they may stem from an error of the estimate
 constexpr double outside_s_per_m = 100;  // leaving the bounds costs more than any detour
 constexpr double near_s_per_m = 20;
+constexpr double stopped_s = 30;  // for being where it was stopped
+
+/// At least one.
+int actions_ahead(int count) {
+  int ahead = 1;
+  while (ahead < planned && std::pow(count, ahead + 1) <= most_plans) ++ahead;
+  return ahead;
+}
 
 }  // namespace
 
@@ -89,12 +98,18 @@ double Approach::time_to_s(const BlockVector& state, const Eigen::Vector3d& to) 
          std::min(1.0, distance / reach_m(mobility_)) * off / mobility_.turn_rate_rad_s;
 }
 
+bool Approach::was_stopped_at(const Eigen::Vector3d& position) const {
+  return std::ranges::any_of(
+      stops_, [&](const Eigen::Vector3d& stop) { return (stop - position).norm() < mobility_.step_m / 2; });
+}
+
 double Approach::penalty_s(const ActionOutcome& outcome) const {
   double least_m = mobility_.clearance_m;
   const Eigen::Vector3d position = position_in(outcome.state, mobility_);
   for (const Eigen::Vector3d& obstacle : obstacles_)
     least_m = std::min(least_m, (obstacle - position).norm());
-  return outside_s_per_m * outcome.outside_m + near_s_per_m * (mobility_.clearance_m - least_m);
+  return outside_s_per_m * outcome.outside_m + near_s_per_m * (mobility_.clearance_m - least_m) +
+         (was_stopped_at(position) ? stopped_s : 0);
 }
 
 /// Mean cost per action over the best sequence, from a state on.
@@ -113,7 +128,7 @@ double Approach::least_cost_s(const ActionSet& action_set, const BlockVector& st
 
 int Approach::choose(const RuleInput& now, const std::vector<bool>& allowed, const Cost& cost_s) {
   const Eigen::Vector3d from = position_in(now.state, mobility_);
-  const int stay = now.action_set.stay(), later = mobility_.drives ? planned_when_driving - 1 : 0;
+  const int stay = now.action_set.stay(), later = actions_ahead(now.action_set.count()) - 1;
   int best = stay;
   double least = std::numeric_limits<double>::infinity();
   Leg chosen{from, from};
@@ -121,10 +136,7 @@ int Approach::choose(const RuleInput& now, const std::vector<bool>& allowed, con
     if (!allowed[static_cast<std::size_t>(a)]) continue;
     const ActionOutcome outcome = now.action_set.after(now.state, a);
     const Eigen::Vector3d to = position_in(outcome.state, mobility_);
-    const auto stops_there = [&](const Eigen::Vector3d& stop) {
-      return (stop - to).norm() < mobility_.step_m / 2;
-    };
-    if (a != stay && std::ranges::any_of(stops_, stops_there)) continue;
+    if (a != stay && was_stopped_at(to)) continue;
     const double cost = cost_s(outcome.state) + penalty_s(outcome) +
                         least_cost_s(now.action_set, outcome.state, later, cost_s);
     constexpr double rounding = 1e-9;

@@ -29,8 +29,8 @@ class Approach {
   void update(const RuleInput& now) { update(now.state, now.surroundings); }
   void update(const BlockVector& state, const Surroundings& surroundings);
 
-  /// The first of the actions with the least cost on their way; of several that are equal, "stay", then the first. A body that
-  /// drives plans several actions ahead, since one alone hardly changes its direction.
+  /// The first of the next few actions with the least cost on their way; of several that are equal, "stay", then the first. One
+  /// action alone hardly changes the direction of a vehicle, and leads no camera around what stopped it.
   int choose(const RuleInput& now, const std::vector<bool>& allowed, const Cost& cost_s);
 
   /// Whether nothing is known that would stop the body there.
@@ -53,6 +53,7 @@ class Approach {
  private:
   void note_stop(const Eigen::Vector3d& position);
   void read_obstacles(const BlockVector& state, const Surroundings& surroundings);
+  bool was_stopped_at(const Eigen::Vector3d& position) const;
   double penalty_s(const ActionOutcome& outcome) const;
   double least_cost_s(const ActionSet& action_set, const BlockVector& state, int actions,
                       const Cost& cost_s) const;

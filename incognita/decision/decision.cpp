@@ -28,11 +28,11 @@ std::unique_ptr<BodyChoice> choice_of(const ActiveSettings& s, const BodyModel& 
     if (s.carrier)
       return std::make_unique<PlannedCarrierChoice>(s.decision, *s.carrier, mobility_of(s.decision, *s.carrier),
                                                     sigma_m_s2, sigma_rad_s2);
-    return std::make_unique<PlannedCameraChoice>(s.decision, free_mobility(s.decision), sigma_m_s2, sigma_rad_s2);
+    return std::make_unique<PlannedCameraChoice>(s.decision, free_mobility(s.decision, s.delay_s), sigma_m_s2, sigma_rad_s2);
   }
   if (s.carrier)
     return std::make_unique<CarrierChoice>(s.decision, *s.carrier, sigma_m_s2, sigma_rad_s2, s.seed, who);
-  return std::make_unique<FreeCameraChoice>(s.decision, sigma_m_s2, sigma_rad_s2, s.seed, who);
+  return std::make_unique<FreeCameraChoice>(s.decision, sigma_m_s2, sigma_rad_s2, s.seed, who, s.delay_s);
 }
 
 MapExpectation::OfBody sensors_of(const SlamEstimator& estimator, std::size_t which,

@@ -63,6 +63,7 @@ struct ActiveSettings {
   ExplorationSettings exploration = {};
   std::optional<CarrierSettings> carrier = {};  ///< vehicles that carry the cameras; empty for free cameras
   double tick_s = 0.1;                          ///< duration of one input
+  double delay_s = 0;                           ///< after which an operator begins a chosen action
   int max_measurements = 1000;  ///< predicted measurements per point sensor; the most uncertain are kept
   std::uint64_t seed = 1;
 };

@@ -1,9 +1,7 @@
 #include "incognita/decision/free_camera_choice.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
-#include "incognita/decision/wall_follower.hpp"
 #include "incognita/math/angles.hpp"
 #include "incognita/models/motion/heading.hpp"
 
@@ -23,7 +21,7 @@ bool compares_turns(Gaze gaze) {
 
 }  // namespace
 
-Mobility free_mobility(const DecisionSettings& s) {
+Mobility free_mobility(const DecisionSettings& s, double delay_s) {
   const std::vector<Translation> actions = translations_of(s);
   const bool climbs = std::ranges::any_of(actions, [](const auto& a) { return a.displacement_m.z() != 0; });
   Mobility can;
@@ -31,36 +29,26 @@ Mobility free_mobility(const DecisionSettings& s) {
   can.step_m = longest_m(actions);
   can.speed_m_s = can.step_m / s.period_s;
   can.turn_rate_rad_s = s.gaze_rate_rad_s;
+  constexpr double soon = 0.4;  // of a period: half of the way takes half of the period
+  can.arrives = delay_s <= soon * s.period_s;
   return can;
 }
 
 FreeCameraChoice::FreeCameraChoice(const DecisionSettings& s, double sigma_acceleration_m_s2,
                                    double sigma_angular_acceleration_rad_s2, std::uint64_t seed,
-                                   std::size_t who)
+                                   std::size_t who, double delay_s)
     : settings_(s),
       translations_(translations_of(s), s.period_s,
                     growth_over(s.period_s, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2),
                     {s.min_bound_m, s.max_bound_m}),
       turns_(s.gaze_rate_rad_s, s.gaze_ahead_s,
              growth_over(s.gaze_ahead_s, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2)),
-      choice_(s, names_of(translations_.actions()), seed, 3, who, free_mobility(s)),
-      gaze_({gaze_metric(s.gaze), 1, turns_.count(), 3}) {
-  if (s.gaze == Gaze::outward && !s.has_sides())
-    throw std::invalid_argument(
-        "decision.gaze = `outward`: needs decision.min_bound_m and decision.max_bound_m, to whose sides it turns");
-}
+      choice_(s, names_of(translations_.actions()), seed, 3, who, free_mobility(s, delay_s)),
+      gaze_({gaze_metric(s.gaze), 1, turns_.count(), 3}) {}
 
 void FreeCameraChoice::forget() {
   choice_.forget();
   looking_ = false;
-}
-
-/// The heading to turn to, where a direction is chosen rather than a rate.
-std::optional<double> FreeCameraChoice::wanted_heading(const CameraState& camera,
-                                                       const Surroundings& surroundings, const Tick& tick) {
-  if (const auto wanted = choice_.gaze_rad(camera, translations_, tick, surroundings)) return wanted;
-  if (settings_.gaze != Gaze::outward) return std::nullopt;
-  return outward_heading({settings_.min_bound_m, settings_.max_bound_m}, free_camera::position(camera));
 }
 
 /// Integrates the heading at the current rate; the rate is chosen anew every gaze period, or in every tick towards a wanted
@@ -92,7 +80,7 @@ void FreeCameraChoice::turn(const AnyBelief& belief, BlockId vehicle, const Came
 void FreeCameraChoice::choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,
                               const Surroundings& surroundings, const Tick& tick, BodyGoal& goal) {
   const CameraState camera = belief.mean(body.block);
-  const std::optional<double> wanted_rad = wanted_heading(camera, surroundings, tick);
+  const std::optional<double> wanted_rad = choice_.gaze_rad(camera, translations_, tick, surroundings);
   if (wanted_rad || settings_.gaze != Gaze::swing) {
     turn(belief, body.block, camera, expectation, wanted_rad, tick);
     goal.heading_rad = heading_rad_;

@@ -13,14 +13,16 @@
 namespace incognita {
 
 /// How the actions move a free camera.
-Mobility free_mobility(const DecisionSettings& settings);
+/// `delay_s`: after which an operator begins a chosen action.
+Mobility free_mobility(const DecisionSettings& settings, double delay_s);
 
 class FreeCameraChoice final : public BodyChoice {
  public:
-  /// Sigmas: of the unknown accelerations of the motion model. `who`: index in the team. Throws
-  /// std::invalid_argument as ActionChoice and Translations do.
+  /// Sigmas: of the unknown accelerations of the motion model. `who`: index in the team. `delay_s`: after which an operator
+  /// begins a chosen action. Throws std::invalid_argument as ActionChoice and Translations do.
   FreeCameraChoice(const DecisionSettings& settings, double sigma_acceleration_m_s2,
-                   double sigma_angular_acceleration_rad_s2, std::uint64_t seed, std::size_t who = 0);
+                   double sigma_angular_acceleration_rad_s2, std::uint64_t seed, std::size_t who = 0,
+                   double delay_s = 0);
 
   void choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,
               const Surroundings& surroundings, const Tick& tick, BodyGoal& goal) override;
@@ -29,8 +31,6 @@ class FreeCameraChoice final : public BodyChoice {
   const std::vector<std::string>& names() const override { return choice_.names(); }
 
  private:
-  std::optional<double> wanted_heading(const CameraState& camera, const Surroundings& surroundings,
-                                       const Tick& tick);
   void turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
             const Expectation& expectation, std::optional<double> wanted_rad, const Tick& tick);
 

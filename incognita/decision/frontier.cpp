@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "incognita/math/angles.hpp"
@@ -81,8 +82,8 @@ Frontier::Frontier(const DecisionSettings& s, const Mobility& mobility)
         "decision.strategy: `frontier` needs a free camera or a vehicle that carries one; take another");
   if (!(mobility.turn_rate_rad_s > 0))
     throw std::invalid_argument(
-        "decision.gaze_rate_rad_s: must be more than 0 with decision.strategy = `frontier`, which turns the "
-        "gaze");
+        std::string(mobility.drives ? "controller.max_turn_rate_rad_s" : "decision.gaze_rate_rad_s") +
+        ": must be more than 0 with decision.strategy = `frontier`, which turns the gaze");
 }
 
 /// Whether the pursuit ended in this tick.

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+
+#include "incognita/decision/route_rule.hpp"
 
 namespace incognita {
 namespace {
@@ -12,15 +15,15 @@ int strips(double width_m, double lane_m) {
   return std::max(1, static_cast<int>(std::ceil(width_m / lane_m - rounding)));
 }
 
-void check(const DecisionSettings& s, int axes) {
+void check_lanes(const DecisionSettings& s, int axes) {
   constexpr double most_lanes = 1e4;
   const Eigen::Vector3d size = s.max_bound_m - s.min_bound_m;
   const double rows = std::max(1.0, size.head<2>().minCoeff() / s.lane_m);
   const double layers = axes == 3 ? std::max(1.0, size.z() / s.lane_m) : 1;
   if (!(size.head(axes).minCoeff() > 0) || !s.has_sides() || !(rows * layers <= most_lanes))
     throw std::invalid_argument(
-        "decision.min_bound_m, decision.max_bound_m: must bound a box of at most 10000 lanes of "
-        "decision.lane_m with decision.strategy = `lawn-mower`");
+        "decision.lane_m: must divide the box from decision.min_bound_m to decision.max_bound_m into 10000 lanes "
+        "at most, with decision.strategy = `lawn-mower`; give the bounds, or wider lanes");
 }
 
 }  // namespace
@@ -51,23 +54,16 @@ std::vector<Eigen::Vector3d> lanes_of(const WorldBounds& bounds, double lane_m, 
   return points;
 }
 
-LawnMower::LawnMower(const DecisionSettings& s, const Mobility& mobility)
-    : bounds_{s.min_bound_m, s.max_bound_m}, lane_m_(s.lane_m), approach_(mobility), route_(mobility) {
-  check(s, mobility.axes);
-}
-
-int LawnMower::choose(const RuleInput& now, const std::vector<bool>& allowed) {
-  const Eigen::Vector3d position = position_in(now.state, approach_.mobility());
-  if (!route_.started()) {
-    std::vector<Eigen::Vector3d> points = lanes_of(bounds_, lane_m_, approach_.mobility().axes, position);
+std::unique_ptr<ActionRule> lawn_mower(const DecisionSettings& s, const Mobility& mobility) {
+  check_lanes(s, mobility.axes);
+  const WorldBounds bounds{s.min_bound_m, s.max_bound_m};
+  const auto plan = [bounds, lane_m = s.lane_m, axes = mobility.axes](const Eigen::Vector3d& position,
+                                                                      Route& route) {
+    std::vector<Eigen::Vector3d> points = lanes_of(bounds, lane_m, axes, position);
     for (std::size_t i = points.size() - 2; i > 0; --i) points.push_back(Eigen::Vector3d(points[i]));
-    route_.start(std::move(points), 0, position);
-  }
-  approach_.update(now);
-  const Eigen::Vector3d to =
-      approach_.clear_point(route_.next(position), (bounds_.min_m + bounds_.max_m) / 2);
-  return approach_.choose(now, allowed,
-                          [&](const BlockVector& state) { return approach_.time_to_s(state, to); });
+    route.start(std::move(points), 0, position);
+  };
+  return std::make_unique<RouteRule>(bounds, mobility, plan);
 }
 
 }  // namespace incognita

@@ -4,9 +4,8 @@
 #include "incognita/decision/frontier.hpp"
 #include "incognita/decision/ground_choice.hpp"
 #include "incognita/decision/plan/planned_choice.hpp"
-#include "incognita/decision/lawn_mower.hpp"
+#include "incognita/decision/route_rule.hpp"
 #include "incognita/decision/taken_over.hpp"
-#include "incognita/decision/wall_follower.hpp"
 #include "incognita/math/saved_state/matrices.hpp"
 
 namespace incognita {
@@ -54,13 +53,8 @@ void Route::state(StateArchive& archive) {
   if (!points.empty() && to >= points.size()) throw DamagedState("a leg beyond the end of its route");
 }
 
-void LawnMower::state(StateArchive& archive) {
-  auto& [bounds, lane_m, approach, route] = *this;
-  archive(approach, route);
-}
-
-void WallFollower::state(StateArchive& archive) {
-  auto& [bounds, distance_m, approach, route] = *this;
+void RouteRule::state(StateArchive& archive) {
+  auto& [center, plan, approach, route] = *this;
   archive(approach, route);
 }
 

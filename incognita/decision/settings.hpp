@@ -27,9 +27,9 @@ struct DecisionSettings {
     one_per_frame  ///< scores one action per frame in random order, as in the thesis
   };
   /// Gaze of a free camera. `swing`: to and fro in the rendered room; `hold`: fixed; `constant_rate`:
-  /// steadily to the left; `outward`: towards the nearest side of the bounds; else right, left or fixed, chosen by
-  /// mutual information, by the trace of (6.8), or by the same with R for S.
-  enum class Gaze { swing, hold, constant_rate, outward, mutual_information, fisher, fisher_given_state };
+  /// steadily to the left; else right, left or fixed, chosen by mutual information, by the trace of (6.8), or
+  /// by the same with R for S.
+  enum class Gaze { swing, hold, constant_rate, mutual_information, fisher, fisher_given_state };
 
   Strategy strategy = Strategy::mutual_information;
   Metric metric = Metric::state;

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <stdexcept>
+#include <vector>
+
+#include "incognita/decision/route_rule.hpp"
 
 namespace incognita {
 namespace {
 
-void check(const DecisionSettings& s) {
+void check_way_around(const DecisionSettings& s) {
   const Eigen::Vector2d size = (s.max_bound_m - s.min_bound_m).head<2>();
   if (!(size.minCoeff() > 2 * s.wall_distance_m) || !s.has_sides())
     throw std::invalid_argument(
@@ -29,36 +31,18 @@ std::size_t nearest_side(const WorldBounds& bounds, const Eigen::Vector3d& posit
 
 }  // namespace
 
-double outward_heading(const WorldBounds& bounds, const Eigen::Vector3d& position) {
-  return std::numbers::pi / 2 * (static_cast<double>(nearest_side(bounds, position)) - 1);
-}
-
-WallFollower::WallFollower(const DecisionSettings& s, const Mobility& mobility)
-    : bounds_{s.min_bound_m, s.max_bound_m},
-      distance_m_(s.wall_distance_m),
-      approach_(mobility),
-      route_(mobility) {
-  check(s);
-}
-
-/// On the nearest side.
-void WallFollower::start(const Eigen::Vector3d& position) {
-  const Eigen::Vector3d min = bounds_.min_m.array() + distance_m_, max = bounds_.max_m.array() - distance_m_;
-  const double z = position.z();
-  const std::vector<Eigen::Vector3d> corners{
-      {min.x(), min.y(), z}, {max.x(), min.y(), z}, {max.x(), max.y(), z}, {min.x(), max.y(), z}};
-  const std::size_t side = nearest_side(bounds_, position);
-  route_.start(corners, (side + 1) % corners.size(), corners[side]);
-}
-
-int WallFollower::choose(const RuleInput& now, const std::vector<bool>& allowed) {
-  const Eigen::Vector3d position = position_in(now.state, approach_.mobility());
-  if (!route_.started()) start(position);
-  approach_.update(now);
-  const Eigen::Vector3d to =
-      approach_.clear_point(route_.next(position), (bounds_.min_m + bounds_.max_m) / 2);
-  return approach_.choose(now, allowed,
-                          [&](const BlockVector& state) { return approach_.time_to_s(state, to); });
+std::unique_ptr<ActionRule> wall_follower(const DecisionSettings& s, const Mobility& mobility) {
+  check_way_around(s);
+  const WorldBounds bounds{s.min_bound_m, s.max_bound_m};
+  const auto plan = [bounds, distance_m = s.wall_distance_m](const Eigen::Vector3d& position, Route& route) {
+    const Eigen::Vector3d min = bounds.min_m.array() + distance_m, max = bounds.max_m.array() - distance_m;
+    const double z = position.z();
+    const std::vector<Eigen::Vector3d> corners{
+        {min.x(), min.y(), z}, {max.x(), min.y(), z}, {max.x(), max.y(), z}, {min.x(), max.y(), z}};
+    const std::size_t side = nearest_side(bounds, position);
+    route.start(corners, (side + 1) % corners.size(), corners[side]);
+  };
+  return std::make_unique<RouteRule>(bounds, mobility, plan);
 }
 
 }  // namespace incognita

@@ -1,114 +1,78 @@
 #include "incognita/report/ledger.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <iterator>
-#include <nlohmann/json.hpp>
-
 namespace incognita {
-namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr Verdict verdicts[] = {Verdict::holds, Verdict::holds_as_corrected, Verdict::does_not_hold,
-                                Verdict::undecided};
-
-Json json_of(const Claim& claim) {
-  return {{"id", claim.id},           {"place", claim.place},       {"statement", claim.statement},
-          {"printed", claim.printed}, {"measured", claim.measured}, {"verdict", name(claim.verdict)},
-          {"why", claim.why},         {"runs", claim.runs},         {"least_runs", claim.least_runs}};
-}
-
-Json json_of(const LedgerEntry& entry) {
-  Json json{{"id", entry.id}, {"title", entry.title}};
-  if (!entry.skipped.empty()) json["skipped"] = entry.skipped;
-  json["claims"] = Json::array();
-  for (const Claim& claim : entry.claims) json["claims"].push_back(json_of(claim));
-  json["figures"] = Json::array();
-  for (const LedgerFigure& figure : entry.figures)
-    json["figures"].push_back({{"id", figure.id}, {"file", figure.file}, {"data", figure.data}});
-  return json;
-}
-
-/// Escapes text for one line of Markdown, in a table or not.
-std::string plain(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '|' || c == '*' || c == '`' || c == '<') escaped += '\\';
-    escaped += c == '\n' || c == '\r' ? ' ' : c;
-  }
-  return escaped;
-}
-
-/// E.g. `holds as corrected`.
-std::string in_words(Verdict verdict) {
-  std::string words = name(verdict);
-  std::replace(words.begin(), words.end(), '-', ' ');
-  return words;
-}
-
-std::size_t count(const std::vector<LedgerEntry>& entries, Verdict verdict) {
-  std::size_t found = 0;
-  for (const LedgerEntry& entry : entries)
-    found += static_cast<std::size_t>(std::count_if(entry.claims.begin(), entry.claims.end(),
-                                                    [=](const Claim& c) { return c.verdict == verdict; }));
-  return found;
-}
-
-std::string section(const LedgerEntry& entry) {
-  std::string text = fmt::format("\n## {}: {}\n", plain(entry.id), plain(entry.title));
-  if (!entry.skipped.empty()) text += fmt::format("\nSkipped: {}\n", plain(entry.skipped));
-  if (!entry.claims.empty())
-    text += "\n| place | statement | printed | measured | verdict | why |\n|---|---|---|---|---|---|\n";
-  for (const Claim& claim : entry.claims)
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} | {} |\n", plain(claim.place), plain(claim.statement),
-                    plain(claim.printed), plain(claim.measured), in_words(claim.verdict), plain(claim.why));
-  std::vector<std::string> figures;
-  for (const LedgerFigure& figure : entry.figures) figures.push_back(fmt::format("`{}`", figure.file));
-  if (!figures.empty()) text += fmt::format("\nFigures: {}\n", fmt::join(figures, ", "));
-  return text;
-}
-
-}  // namespace
-
-const char* name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::holds:
+const char* name(Finding finding) {
+  switch (finding) {
+    case Finding::holds:
       return "holds";
-    case Verdict::holds_as_corrected:
-      return "holds-as-corrected";
-    case Verdict::does_not_hold:
+    case Finding::misprint:
+      return "misprint";
+    case Finding::holds_if:
+      return "holds-if";
+    case Finding::does_not_hold:
       return "does-not-hold";
-    case Verdict::undecided:
+    case Finding::undecided:
       return "undecided";
   }
   return "unknown";
 }
 
-std::string ledger_json(const std::vector<LedgerEntry>& entries) {
-  Json document = Json::array();
-  for (const LedgerEntry& entry : entries) document.push_back(json_of(entry));
-  // Reasons may contain file names that are not UTF-8; a replaced character is better than an exception.
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+const char* verdict(Finding finding) {
+  return finding == Finding::misprint || finding == Finding::holds_if ? "holds-as-corrected" : name(finding);
 }
 
-std::string ledger_markdown(const std::vector<LedgerEntry>& entries) {
-  std::string text =
-      "# Claims\n\n"
-      "The claims of the thesis, each with the result of its reproduction. A claim holds, holds as corrected, or\n"
-      "does not hold; the last column states the reason. It is undecided if the interval of its runs contains\n"
-      "both answers, or if there are too few runs. Intervals are 95 % unless another level is given.\n"
-      "`incognita reproduce --out DIR` writes this page as `DIR/claims.md`, with every figure and its data.\n\n"
-      "| verdict | claims |\n|---|---|\n";
-  for (const Verdict verdict : verdicts)
-    text += fmt::format("| {} | {} |\n", in_words(verdict), count(entries, verdict));
-  const auto skipped =
-      std::count_if(entries.begin(), entries.end(), [](const LedgerEntry& e) { return !e.skipped.empty(); });
-  if (skipped > 0) text += fmt::format("| (entries skipped) | {} |\n", skipped);
-  for (const LedgerEntry& entry : entries) text += section(entry);
-  return text;
+const std::vector<Rule>& all_rules() {
+  static const std::vector<Rule> all{Rule::identity, Rule::dimension, Rule::example,     Rule::superiority,
+                                     Rule::equality, Rule::coverage,  Rule::boundedness, Rule::frequency};
+  return all;
+}
+
+const char* name(Rule rule) {
+  switch (rule) {
+    case Rule::identity:
+      return "identity";
+    case Rule::dimension:
+      return "dimension";
+    case Rule::example:
+      return "example";
+    case Rule::superiority:
+      return "superiority";
+    case Rule::equality:
+      return "equality";
+    case Rule::coverage:
+      return "coverage";
+    case Rule::boundedness:
+      return "boundedness";
+    case Rule::frequency:
+      return "frequency";
+  }
+  return "unknown";
+}
+
+const char* rule_text(Rule rule) {
+  switch (rule) {
+    case Rule::identity:
+      return "Two expressions agree in all cases, up to rounding or to the tolerance that the claim names.";
+    case Rule::dimension:
+      return "A rank or a null space is the same in all cases; singular values that count as zero are a factor of "
+             "1000 below the others.";
+    case Rule::example:
+      return "A claim that something can be is shown by one case, a claim that it always is is refuted by one.";
+    case Rule::superiority:
+      return "The interval of the mean difference, of runs paired by seed where there are pairs, lies on one side "
+             "of zero or of the bound that the claim names.";
+    case Rule::equality:
+      return "The interval lies within the margin that the claim names; outside of it the claim is refuted.";
+    case Rule::coverage:
+      return "The interval of the share of errors inside their 2 sigma bounds lies above 90 %; a consistent Gaussian "
+             "filter has 95.4 % per axis.";
+    case Rule::boundedness:
+      return "From half of the time to its end the quantity grows by less than 5 %.";
+    case Rule::frequency:
+      return "The interval (Wilson) of the share of cases lies above the share that the claim names.";
+  }
+  return "";
 }
 
 }  // namespace incognita

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -120,6 +124,36 @@ TEST(PointScenarioRun, NearestNeighborAssociatesCorrectlyOnThePlane) {
     EXPECT_LE(n.duplicate_landmarks, 1);
     EXPECT_EQ(n.ran.last.status.state, TrackingState::tracking);
   }
+}
+
+/// Thesis Section 6.3.1 from near the nominal start: a point enters the map with sigma / depth of 0.3 at most.
+TEST(PointScenarioRun, DepthLinesBecomePointsOfKnownDepth) {
+  const std::vector<std::string> sets{"run.duration_s=12", "decision.gaze=constant-rate",
+                                      "plant.sigma_start_position_m=0.02", "plant.sigma_start_height_m=0.02",
+                                      "plant.sigma_start_heading_rad=0.02"};
+  Assembly assembly = assemble(load_scenario("free-camera-as-printed", sets));
+  std::map<std::int64_t, double> entered;  // largest sigma over distance
+  std::size_t most_lines = 0;
+  Snapshot last;
+  run_loop(
+      assembly.parts,
+      [&](const Snapshot& s) {
+        std::size_t lines = 0;
+        for (const SnapshotMatch& match : s.matches) lines += match.ray;
+        most_lines = std::max(most_lines, lines);
+        for (const SnapshotLandmark& l : s.landmarks) {
+          const double distance_m = (l.position - s.bodies[0].estimate.position).norm();
+          const double sigma_m = std::sqrt(l.covariance.eigenvalues().real().maxCoeff());
+          if (!l.anchor) entered.emplace(l.id, sigma_m / distance_m);
+        }
+        last = s;
+      },
+      [](const Tick&) { return true; });
+  EXPECT_GT(most_lines, 2u);
+  EXPECT_LE(most_lines, 12u) << "map.wanted_visible";
+  EXPECT_GT(entered.size(), 10u);
+  for (const auto& [id, ratio] : entered) EXPECT_LT(ratio, 0.4) << id;
+  EXPECT_LT((last.bodies[0].truth->position - last.bodies[0].estimate.position).norm(), 0.3);
 }
 
 /// Mean NEES of the pose per degree of freedom.

@@ -37,6 +37,24 @@ TEST(PointScenario, RefusesAtStartWithTheReason) {
           "points.file = \"nowhere.csv\"");
 }
 
+TEST(PointScenario, RefusesDepthLinesThatCannotBe) {
+  const std::string camera = text_of({"free-camera", "wide-angle", "none"});
+  const std::string line = "landmark_initialization.method=depth-line";
+  EXPECT_EQ(complaint(camera, {line}), "");
+  const std::string range = complaint(camera, {line, "landmark_initialization.max_depth_m=0.4"});
+  EXPECT_NE(range.find("landmark_initialization.max_depth_m = 0.4: must be more than "
+                       "landmark_initialization.min_depth_m, which is 0.5"),
+            std::string::npos)
+      << range;
+  const std::string prior = complaint(camera, {line, "landmark_initialization.inverse_depth_per_m=0.3"});
+  EXPECT_NE(prior.find("belongs to `landmark_initialization.method = \"inverse-depth\"`"), std::string::npos)
+      << prior;
+  const std::string stereo = complaint(text_of({"free-camera", "stereo", "none"}), {line});
+  EXPECT_NE(stereo.find("`landmark_initialization.method` belongs to `sensor.type = \"camera\"`"),
+            std::string::npos)
+      << stereo;
+}
+
 TEST(PointScenario, RefusesVehiclesAtOnePositionThatMeasureEachOther) {
   const std::string why = complaint(drive, {"start.positions_m=[[0, 0, 0], [3, 0, 0]]"});
   EXPECT_NE(why.find("path.offsets_m"), std::string::npos) << why;

@@ -64,6 +64,12 @@ TEST(ProgramCampaign, MeasuresHowMuchIsMapped) {
   EXPECT_EQ(measures["exploration.mapped_60_s"]["n"], 2);
   EXPECT_GT(measures["exploration.mapped_60_s"]["mean"], 0);
   EXPECT_EQ(measures["exploration.diverged"]["n"], 2);
+  const Ended table = campaigns.campaign({"--seeds", "1..2", "--duration", "61", "--table"});
+  ASSERT_EQ(table.code, 0) << table.err;
+  for (const char* shown :
+       {"entropy.total ", "exploration.mapped_60_s ", "exploration.mapped ", "map_error_m ",
+        "exploration.within_5_cm ", "exploration.within_3_sigma ", "exploration.diverged "})
+    EXPECT_SAYS(table.out, std::string("\n") + shown);
 }
 
 TEST(ProgramCampaign, TableDoesNotDependOnTheDistributionOfRuns) {

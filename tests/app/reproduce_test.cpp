@@ -33,7 +33,7 @@ LedgerEntry draws(const ExperimentSettings& settings) {
                     "it counts",
                     "",
                     std::to_string(settings.seeds) + " runs",
-                    Verdict::does_not_hold,
+                    Finding::does_not_hold,
                     "it was made up",
                     settings.seeds};
   return {"1.1", "Draws", "", {claim}, {draw_plot(settings.out, plot, nullptr)}};
@@ -73,11 +73,12 @@ TEST(Reproduce, RunsTheExampleOfAFigureWithItsWholeEntry) {
                                                          "/docs/schemas/reproduce.schema.json"))),
             "");
   EXPECT_EQ(contents(scratch / "out/claims.json"), result.out);
-  EXPECT_HAS(contents(scratch / "out/claims.md"), "| (1.1) | it counts |");
+  EXPECT_HAS(contents(scratch / "out/claims.md"), "### 1.1-a\n\nOurs, beside (1.1).\n\nit counts\n");
   EXPECT_TRUE(fs::exists(scratch / "out/figures/fig-1.2.csv"));
   EXPECT_HAS(result.err, "[1/1] 1.1: Draws");
   EXPECT_HAS(result.err, "half of it");
-  EXPECT_HAS(result.err, "1 claim: 0 hold, 0 hold as corrected, 1 does not hold, 0 are undecided");
+  EXPECT_HAS(result.err,
+             "1 claim: 0 hold, 0 misprints, 0 hold on a condition, 1 does not hold, 0 are undecided");
 }
 
 TEST(Reproduce, ContinuesAfterAFailureAndReportsIt) {
@@ -108,6 +109,21 @@ TEST(Reproduce, ReplacesAnEarlierLedger) {
   reproduce({"1.1", "--out", scratch / "out"});
   EXPECT_EQ(reproduce({"1.2", "--out", scratch / "out"}).code, 1);
   EXPECT_EQ(contents(scratch / "out/claims.json"), "[]\n");
+}
+
+TEST(Reproduce, UpdatesAnEarlierLedger) {
+  const Scratch scratch;
+  reproduce({"1.1", "1.3", "--out", scratch / "old"});
+  reproduce({"1.1", "--seeds", "7", "--update", scratch / "old/claims.json", "--out", scratch / "new"});
+  const Json json = Json::parse(contents(scratch / "new/claims.json"));
+  ASSERT_EQ(json.size(), 2u);
+  EXPECT_EQ(json[0]["claims"][0]["measured"], "7 runs");
+  EXPECT_EQ(json[1]["id"], "1.3");
+  const auto from = [&](const std::string& file) {
+    return testing::message_of([&] { reproduce({"1.1", "--update", file, "--out", scratch / "x"}); });
+  };
+  EXPECT_HAS(from(scratch / "absent.json"), "absent.json");
+  EXPECT_HAS(from(scratch / "old/claims.md"), "is not what `incognita reproduce` writes");
 }
 
 TEST(Reproduce, ListsWithoutRunning) {

@@ -196,6 +196,7 @@ TEST(Resume, AMapInTheFrameOfTheVehicle) {
   expect_resumes({"circle", {"run.duration_s=20", "estimator.map_frame=vehicle"}}, 67);
 }
 TEST(Resume, AnActiveCameraAmongPoints) { expect_resumes({"free-camera", {"run.duration_s=4"}}, 43); }
+TEST(Resume, DepthLinesOfPoints) { expect_resumes({"free-camera-as-printed", {"run.duration_s=4"}}, 13); }
 TEST(Resume, AnActiveVehicle) { expect_resumes({"terrain", {"run.duration_s=6"}}, 37); }
 
 TEST(Resume, WhatAPersonDid) {

@@ -3,15 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "incognita/decision/approach.hpp"
 #include "incognita/decision/decision.hpp"
 #include "incognita/decision/frontier.hpp"
 #include "incognita/decision/lawn_mower.hpp"
-#include "incognita/decision/wall_follower.hpp"
 #include "incognita/math/angles.hpp"
 #include "incognita/models/motion/heading.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
@@ -61,6 +62,8 @@ struct Explorer {
   Eigen::Vector2d wheels{0, 0};
   Goal goal;
   Points path;
+  int late = 0;                ///< decisions after which a goal is executed, as by an operator
+  std::deque<BodyGoal> shown;  ///< the last goals, the newest last
   std::function<bool(const Eigen::Vector3d&)> solid = [](const Eigen::Vector3d&) { return false; };
 
   explicit Explorer(const ActiveSettings& s, const Eigen::Vector3d& start = {1.6, 0, 1.3}) : position(start) {
@@ -91,7 +94,10 @@ struct Explorer {
       to += wheels[0] * dt * Eigen::Vector3d(std::cos(heading_rad), std::sin(heading_rad), 0);
       heading_rad += wheels[1] * dt;
     } else {
-      to = own.from + std::min(1.0, (t - own.start_t) / (own.end_t - own.start_t)) * (own.to - own.from);
+      if (own.decided) shown.push_back(own);
+      if (static_cast<int>(shown.size()) > late + 1) shown.pop_front();
+      if (static_cast<int>(shown.size()) > late)
+        to += dt / (own.end_t - own.start_t) * (shown.front().to - shown.front().from);
       if (own.heading_rad) heading_rad = *own.heading_rad + own.heading_rate_rad_s * dt;
     }
     if (!solid(to)) position = to;
@@ -142,7 +148,7 @@ TEST(LawnMower, ACameraVisitsAllLanesWithATurningGaze) {
   Explorer e(s);
   const Points lanes = lanes_of({lower, upper}, 1.3, 3, e.position);
   ASSERT_EQ(lanes.size(), 16u);
-  e.run(190);
+  e.run(200);
   expect_lanes_visited(e.path, lanes, 3, 0.4);
   expect_inside(e.path, 3);
 }
@@ -155,12 +161,21 @@ TEST(LawnMower, AVehicleVisitsAllLanes) {
 }
 
 TEST(LawnMower, GoesOnWhereALaneIsBlocked) {
-  ActiveSettings s = settings_for(Strategy::lawn_mower);
-  Explorer e(s);
+  Explorer e(settings_for(Strategy::lawn_mower));
   e.solid = [](const Eigen::Vector3d& p) { return std::abs(p.x()) < 0.4 && std::abs(p.y()) < 0.6; };
   e.run(120);
   const Points lanes = lanes_of({lower, upper}, 2, 3, {1.6, 0, 1.3});
   for (const Eigen::Vector3d& end : lanes) EXPECT_LT(distance_m(e.path, end), 0.6) << end.transpose();
+}
+
+/// It has begun an action only when the next is chosen: that is no obstacle.
+TEST(LawnMower, AnOperatorWhoIsLateVisitsAllLanes) {
+  ActiveSettings s = settings_for(Strategy::lawn_mower);
+  s.delay_s = 1;
+  Explorer e(s);
+  e.late = 1;
+  e.run(120);
+  expect_lanes_visited(e.path, lanes_of({lower, upper}, 2, 3, {1.6, 0, 1.3}), 3, 0.6);
 }
 
 /// Least and largest distance from the four sides, of a part of a path.
@@ -183,30 +198,16 @@ double rounds(const Points& path) {
   return turned / (2 * std::numbers::pi);
 }
 
-TEST(WallFollower, ACameraStaysAtItsDistanceClosesItsRoundAndFacesTheWall) {
-  Explorer e(settings_for(Strategy::wall_follower, Gaze::outward));
-  int facing = 0, ticks = 0;
-  while (e.t < 75) {
-    e.tick();
-    const double outward = outward_heading({lower, upper}, e.position);
-    facing += std::abs(wrap_angle(e.heading_rad - outward)) < 0.1;
-    ++ticks;
+TEST(WallFollower, ACameraStaysAtItsDistanceAndClosesItsRound) {
+  for (const Gaze gaze : {Gaze::hold, Gaze::constant_rate}) {
+    Explorer e(settings_for(Strategy::wall_follower, gaze));
+    e.run(90);
+    EXPECT_GT(rounds(e.path), 1);
+    const auto [least, most] = distances_from_sides(e.path, 30);
+    EXPECT_GT(least, 0.5 - 0.35) << "about a step";
+    EXPECT_LT(most, 0.5 + 0.35) << "where it cuts a corner";
+    EXPECT_NEAR(e.path.back().z(), 1.3, 0.16);
   }
-  EXPECT_GT(rounds(e.path), 1.1);
-  const auto [least, most] = distances_from_sides(e.path, 30);
-  EXPECT_GT(least, 0.5 - 0.3) << "a step";
-  EXPECT_LT(most, 0.5 + 0.3) << "a step, where it cuts a corner";
-  EXPECT_GT(facing, ticks / 3) << "it turns by 0.2 rad/s at the corners";
-  EXPECT_LT((e.path.back().z() - 1.3), 0.16);
-}
-
-TEST(WallFollower, ACameraWithATurningGazeStaysNearItsDistance) {
-  Explorer e(settings_for(Strategy::wall_follower));
-  e.run(90);
-  EXPECT_GT(rounds(e.path), 1);
-  const auto [least, most] = distances_from_sides(e.path, 30);
-  EXPECT_GT(least, 0.5 - 0.35);
-  EXPECT_LT(most, 0.5 + 0.35) << "about a step";
 }
 
 TEST(WallFollower, AVehicleClosesItsRound) {
@@ -219,18 +220,10 @@ TEST(WallFollower, AVehicleClosesItsRound) {
 }
 
 TEST(WallFollower, ACameraGoesAroundABoxThatItCannotMeasure) {
-  Explorer e(settings_for(Strategy::wall_follower, Gaze::outward));
+  Explorer e(settings_for(Strategy::wall_follower));
   e.solid = [](const Eigen::Vector3d& p) { return p.y() > 1.5 && std::abs(p.x()) < 0.5; };
   e.run(90);
   EXPECT_GT(rounds(e.path), 1.1);
-}
-
-TEST(WallFollower, OutwardIsTheNearestSide) {
-  const WorldBounds box{{0, 0, 0}, {4, 3, 2}};
-  EXPECT_NEAR(outward_heading(box, {2, 0.2, 1}), -std::numbers::pi / 2, 1e-12);
-  EXPECT_NEAR(outward_heading(box, {3.9, 1, 1}), 0, 1e-12);
-  EXPECT_NEAR(outward_heading(box, {2, 2.9, 1}), std::numbers::pi / 2, 1e-12);
-  EXPECT_NEAR(outward_heading(box, {0.3, 1, 1}), std::numbers::pi, 1e-12);
 }
 
 double time_to_coverage(Explorer& e, double coverage, double most_s) {
@@ -239,6 +232,23 @@ double time_to_coverage(Explorer& e, double coverage, double most_s) {
     if (*e.goal.coverage >= coverage) return e.t;
   }
   return most_s;
+}
+
+/// Share of an empty room that is seen in two minutes.
+double seen_by(Strategy strategy, bool drives) {
+  Explorer e(drives ? driving(strategy) : settings_for(strategy));
+  e.run(120);
+  return *e.goal.coverage;
+}
+
+TEST(Baselines, SeeAnEmptyRoom) {
+  for (const Strategy strategy : {Strategy::lawn_mower, Strategy::wall_follower, Strategy::frontier}) {
+    EXPECT_GT(seen_by(strategy, false), 0.98);
+    EXPECT_GT(seen_by(strategy, true), strategy == Strategy::wall_follower ? 0.9 : 0.98)
+        << "the middle is beside the way along the walls";
+  }
+  EXPECT_LT(seen_by(Strategy::none, false), 0.9) << "above and below it";
+  EXPECT_LT(seen_by(Strategy::none, true), 0.1);
 }
 
 /// From several starts, in seconds: the times to see a share of an empty room, by frontiers and at random.
@@ -379,9 +389,14 @@ TEST(Approach, RemembersWhereItWasStopped) {
   approach.update(now);  // it is where it was
   EXPECT_FALSE(approach.is_clear({0.3, 0, 0}));
   EXPECT_GT((approach.clear_point({0.4, 0, 0}, {0.4, 3, 0}) - Eigen::Vector3d(0.3, 0, 0)).norm(), 0.299);
-  EXPECT_EQ(choose(), "stay") << "the others lead away";
-  approach.update(now);
-  EXPECT_EQ(choose(), "go_forward") << "it may have been an error of the estimate";
+  const std::string around = choose();
+  EXPECT_TRUE(around == "go_left" || around == "go_right") << around;
+  bool again = false;
+  for (int i = 0; i < 10 && !again; ++i) {
+    approach.update(now);
+    again = choose() == "go_forward";
+  }
+  EXPECT_TRUE(again) << "where it is stopped everywhere, the estimate may be wrong";
 }
 
 TEST(Baselines, RefuseWhereTheyCannotWork) {
@@ -400,8 +415,11 @@ TEST(Baselines, RefuseWhereTheyCannotWork) {
   s = settings_for(Strategy::frontier);
   s.exploration.expected_landmarks = 0;
   refused(s);
-  s = settings_for(Strategy::random, Gaze::outward);
-  s.decision.max_bound_m = DecisionSettings{}.max_bound_m;
+  s.exploration.expected_landmarks = 20;
+  s.decision.gaze_rate_rad_s = 0;
+  refused(s);
+  s = settings_for(Strategy::lawn_mower);
+  s.decision.moves_m = {{0, 0, 0}};
   refused(s);
 }
 

@@ -63,6 +63,26 @@ TEST(ClosedLoopRuns, AnchorsAreNotMappedAndMoreNoiseGivesLargerErrors) {
   EXPECT_GT(rms(noisy), 4 * rms(plain));
 }
 
+/// By the plan the inputs do not depend on what happens; by the truth the vehicle goes where it is to go in truth.
+TEST(ClosedLoopRuns, AreSteeredByWhatTheyAreToBe) {
+  ClosedLoop planned = short_run(), known = short_run();
+  planned.steered_by = SteeredBy::plan, known.steered_by = SteeredBy::truth;
+  const auto a = drive(planned, 1), b = drive(planned, 2), by_truth = drive(known, 1);
+  for (std::size_t k = 0; k < a.instants.size(); ++k)
+    EXPECT_EQ(a.instants[k].robots[0].input, b.instants[k].robots[0].input);
+  EXPECT_NE(a.instants.back().robots[0].truth, b.instants.back().robots[0].truth);
+  known.noise = 20;  // the estimate is far off, and not looked at
+  planned.noise = 1e-3;
+  const auto off_m = [](const ClosedLoop& setup, const closed_loop::Run& run) {
+    return distances_m(run, setup.robots[0].steering.path).back();
+  };
+  ClosedLoop by_estimate = known;
+  by_estimate.steered_by = SteeredBy::estimate;
+  EXPECT_LT(off_m(known, by_truth), 0.3);
+  EXPECT_LT(off_m(planned, drive(planned, 1)), 0.3);
+  EXPECT_LT(off_m(known, drive(known, 1)), off_m(by_estimate, drive(by_estimate, 1)));
+}
+
 TEST(ClosedLoopRuns, LandmarksAreClearOfThePaths) {
   const PointLandmarks place = sixteen_landmarks();
   EXPECT_EQ(place.size(), 16u);
@@ -74,9 +94,12 @@ TEST(ClosedLoopRuns, LandmarksAreClearOfThePaths) {
 }
 
 TEST(ClosedLoopStatistics, ShareHasTheIntervalOfPublishedTables) {
-  EXPECT_EQ(share_text(5, 10), "5 of 10 (18.7 to 81.3 %)");
-  EXPECT_EQ(share_text(0, 10), "0 of 10 (0.0 to 30.8 %)");
-  EXPECT_EQ(share_text(10, 10), "10 of 10 (69.2 to 100.0 %)");
+  EXPECT_EQ(share_text(5, 10), "5 of 10 (23.7 to 76.3 %)");
+  EXPECT_EQ(share_text(0, 10), "0 of 10 (0.0 to 27.8 %)");
+  EXPECT_EQ(share_text(10, 10), "10 of 10 (72.2 to 100.0 %)");
+  const ClaimNumber half = share_number("half", 5, 10);
+  EXPECT_EQ(half.unit, "%");
+  EXPECT_NEAR(half.value.low, 23.7, 0.05);
 }
 
 TEST(ClosedLoopStatistics, QuantilesInterpolate) {

@@ -28,37 +28,37 @@ TEST(Evidence, TextsContainNoInfinityAndNoNan) {
   EXPECT_EQ(decimals(-inf, 2), "unknown");
 }
 
-TEST(Finding, AnIntervalThatContainsTheLimitIsUndecided) {
-  EXPECT_EQ(is_above({2, 1, 3}, 0), Finding::shown);
-  EXPECT_EQ(is_above({-2, -3, -1}, 0), Finding::refuted);
-  EXPECT_EQ(is_above({1, -1, 3}, 0), Finding::undecided);
-  EXPECT_EQ(is_below({-2, -3, -1}, 0), Finding::shown);
-  EXPECT_EQ(is_below({2, 1, 3}, 0), Finding::refuted);
-  EXPECT_EQ(is_below({1, -1, 3}, 0), Finding::undecided);
+TEST(Answer, AnIntervalThatContainsTheLimitIsUndecided) {
+  EXPECT_EQ(is_above({2, 1, 3}, 0), Answer::shown);
+  EXPECT_EQ(is_above({-2, -3, -1}, 0), Answer::refuted);
+  EXPECT_EQ(is_above({1, -1, 3}, 0), Answer::undecided);
+  EXPECT_EQ(is_below({-2, -3, -1}, 0), Answer::shown);
+  EXPECT_EQ(is_below({2, 1, 3}, 0), Answer::refuted);
+  EXPECT_EQ(is_below({1, -1, 3}, 0), Answer::undecided);
   const double nan = std::nan("");
-  EXPECT_EQ(is_above({nan, nan, nan}, 0), Finding::undecided);
-  EXPECT_EQ(is_below({nan, nan, nan}, 0), Finding::undecided);
+  EXPECT_EQ(is_above({nan, nan, nan}, 0), Answer::undecided);
+  EXPECT_EQ(is_below({nan, nan, nan}, 0), Answer::undecided);
 }
 
-TEST(Finding, EqualityHasAMargin) {
-  EXPECT_EQ(agrees({1.01, 0.95, 1.07}, 1, 0.1), Finding::shown);
-  EXPECT_EQ(agrees({1.3, 1.2, 1.4}, 1, 0.1), Finding::refuted);
-  EXPECT_EQ(agrees({0.7, 0.6, 0.8}, 1, 0.1), Finding::refuted);
-  EXPECT_EQ(agrees({1.0, 0.5, 1.5}, 1, 0.1), Finding::undecided);
-  EXPECT_EQ(agrees({1.1, 1.05, 1.15}, 1, 0.1), Finding::undecided);
-  EXPECT_EQ(differs({0.1, 0.05, 0.15}, 0), Finding::shown);
-  EXPECT_EQ(differs({0.1, -0.05, 0.25}, 0), Finding::undecided);
+TEST(Answer, EqualityHasAMargin) {
+  EXPECT_EQ(agrees({1.01, 0.95, 1.07}, 1, 0.1), Answer::shown);
+  EXPECT_EQ(agrees({1.3, 1.2, 1.4}, 1, 0.1), Answer::refuted);
+  EXPECT_EQ(agrees({0.7, 0.6, 0.8}, 1, 0.1), Answer::refuted);
+  EXPECT_EQ(agrees({1.0, 0.5, 1.5}, 1, 0.1), Answer::undecided);
+  EXPECT_EQ(agrees({1.1, 1.05, 1.15}, 1, 0.1), Answer::undecided);
+  EXPECT_EQ(differs({0.1, 0.05, 0.15}, 0), Answer::shown);
+  EXPECT_EQ(differs({0.1, -0.05, 0.25}, 0), Answer::undecided);
 }
 
-TEST(Finding, SharesNeedRuns) {
-  EXPECT_EQ(happens_in(0.95, 200, 200), Finding::shown);
-  EXPECT_EQ(happens_in(0.95, 20, 20), Finding::undecided);
-  EXPECT_EQ(happens_in(0.95, 10, 20), Finding::refuted);
-  EXPECT_EQ(happens_in(0.95, 0, 0), Finding::undecided);
+TEST(Answer, SharesNeedRuns) {
+  EXPECT_EQ(happens_in(0.95, 200, 200), Answer::shown);
+  EXPECT_EQ(happens_in(0.95, 20, 20), Answer::undecided);
+  EXPECT_EQ(happens_in(0.95, 10, 20), Answer::refuted);
+  EXPECT_EQ(happens_in(0.95, 0, 0), Answer::undecided);
 }
 
-TEST(Finding, CombineByKleenesLogic) {
-  const Finding yes = true, no = false, open = Finding::undecided;
+TEST(Answer, CombineByKleenesLogic) {
+  const Answer yes = true, no = false, open = Answer::undecided;
   EXPECT_EQ(yes && open, open);
   EXPECT_EQ(no && open, no);
   EXPECT_EQ(yes || open, yes);
@@ -70,10 +70,13 @@ TEST(Finding, CombineByKleenesLogic) {
 TEST(Evidence, ReasonsStayOnlyWithVerdictsThatNeedThem) {
   Claim claim;
   claim.why = "because";
-  EXPECT_EQ(assessed(claim, true).verdict, Verdict::holds);
+  EXPECT_EQ(assessed(claim, true).finding, Finding::holds);
   EXPECT_EQ(assessed(claim, true).why, "");
-  EXPECT_EQ(assessed(claim, false, true).verdict, Verdict::holds_as_corrected);
-  EXPECT_EQ(assessed(claim, false).verdict, Verdict::does_not_hold);
+  EXPECT_EQ(assessed(claim, false, as_corrected(true)).finding, Finding::misprint);
+  EXPECT_EQ(assessed(claim, false, on_condition(true)).finding, Finding::holds_if);
+  EXPECT_EQ(assessed(claim, false, in_truth(true)).finding, Finding::does_not_hold);
+  EXPECT_EQ(assessed(claim, false, as_corrected(false)).finding, Finding::does_not_hold);
+  EXPECT_EQ(assessed(claim, false).finding, Finding::does_not_hold);
   EXPECT_EQ(assessed(claim, false).why, "because");
   claim.why.clear();
   EXPECT_EQ(assessed(claim, false).why, "not investigated");
@@ -83,23 +86,24 @@ TEST(Evidence, ReasonsStayOnlyWithVerdictsThatNeedThem) {
 TEST(Evidence, NotSignificantIsNotFalse) {
   Claim claim;
   claim.why = "because it is false";
-  const Finding open = Finding::undecided;
-  EXPECT_EQ(assessed(claim, open).verdict, Verdict::undecided);
+  const Answer open = Answer::undecided;
+  EXPECT_EQ(assessed(claim, open).finding, Finding::undecided);
   EXPECT_EQ(assessed(claim, open).why, "the interval holds both answers");
-  EXPECT_EQ(assessed(claim, open, true).verdict, Verdict::undecided);
-  EXPECT_EQ(assessed(claim, false, open).verdict, Verdict::undecided);
-  EXPECT_EQ(assessed(claim, true, open).verdict, Verdict::holds);
+  EXPECT_EQ(assessed(claim, open, as_corrected(true)).finding, Finding::undecided);
+  EXPECT_EQ(assessed(claim, false, as_corrected(open)).finding, Finding::undecided);
+  EXPECT_EQ(assessed(claim, false, in_truth(open)).finding, Finding::does_not_hold);
+  EXPECT_EQ(assessed(claim, true, as_corrected(open)).finding, Finding::holds);
 }
 
 TEST(Evidence, TooFewRunsAreUndecided) {
   Claim claim;
   claim.runs = 4, claim.least_runs = enough_runs;
   for (const bool is_so : {true, false}) {
-    EXPECT_EQ(assessed(claim, is_so).verdict, Verdict::undecided);
+    EXPECT_EQ(assessed(claim, is_so).finding, Finding::undecided);
     EXPECT_EQ(assessed(claim, is_so).why, "it rests on 4 runs, and takes at least 20");
   }
   claim.runs = enough_runs;
-  EXPECT_EQ(assessed(claim, true).verdict, Verdict::holds);
+  EXPECT_EQ(assessed(claim, true).finding, Finding::holds);
 }
 
 }  // namespace

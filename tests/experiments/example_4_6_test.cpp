@@ -1,4 +1,4 @@
-// The information filter of Example 4.6 against reference solutions, and the verdicts of its claims.
+// The information filter of Example 4.6 against reference solutions, and the findings of its claims.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include "experiments/example_4_6_filter.hpp"
 #include "experiments/list.hpp"
@@ -212,27 +213,28 @@ TEST(TwoBearingsTest, APriorOnTheHeadingIsInformation) {
   EXPECT_EQ(known.back().rank.rank, 5);
 }
 
-TEST(Example46Test, Verdicts) {
+TEST(Example46Test, Findings) {
   const testing::Scratch scratch;
   ExperimentSettings settings;
   settings.out = scratch.folder();
   const LedgerEntry entry = example_4_6.run(settings);
-  const std::map<std::string, Verdict> expected{{"4.6-rank", Verdict::holds_as_corrected},
-                                                {"4.6-stationary", Verdict::holds},
-                                                {"4.6-deficiency", Verdict::holds_as_corrected},
-                                                {"4.6-orientation", Verdict::does_not_hold},
-                                                {"4.6-global-modes", Verdict::holds},
-                                                {"4.6-relative-at-rest", Verdict::holds},
-                                                {"4.6-relative-2", Verdict::holds_as_corrected},
-                                                {"4.6-line-of-sight", Verdict::holds},
-                                                {"4.6-relative-1", Verdict::holds_as_corrected},
-                                                {"4.6-relative-features", Verdict::holds_as_corrected},
-                                                {"4.6-link", Verdict::holds_as_corrected},
-                                                {"4.6-truth", Verdict::does_not_hold}};
+  struct Expected {
+    Finding truth;
+    std::optional<Finding> method;
+  };
+  constexpr Finding holds = Finding::holds, does_not = Finding::does_not_hold;
+  const std::map<std::string, Expected> expected{
+      {"4.6-rank", {does_not, holds}},          {"4.6-stationary", {holds, holds}},
+      {"4.6-deficiency", {does_not, holds}},    {"4.6-orientation", {does_not, holds}},
+      {"4.6-global-modes", {holds, holds}},     {"4.6-relative-at-rest", {holds, holds}},
+      {"4.6-relative-2", {does_not, holds}},    {"4.6-line-of-sight", {holds, holds}},
+      {"4.6-relative-1", {does_not, does_not}}, {"4.6-relative-features", {does_not, holds}},
+      {"4.6-link", {holds, does_not}},          {"4.6-truth", {does_not, std::nullopt}}};
   ASSERT_EQ(entry.claims.size(), expected.size());
   for (const Claim& claim : entry.claims) {
     ASSERT_TRUE(expected.count(claim.id)) << claim.id;
-    EXPECT_EQ(claim.verdict, expected.at(claim.id)) << claim.id << ": " << claim.measured;
+    EXPECT_EQ(claim.finding, expected.at(claim.id).truth) << claim.id << ": " << claim.measured;
+    EXPECT_EQ(claim.by_method, expected.at(claim.id).method) << claim.id << ": " << claim.measured;
   }
   ASSERT_EQ(entry.figures.size(), 4U);
   for (const LedgerFigure& figure : entry.figures)

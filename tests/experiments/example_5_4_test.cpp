@@ -1,4 +1,4 @@
-// Example 5.4: its runs, their summaries, and the verdicts that do not depend on random draws.
+// Example 5.4: its runs, their summaries, and the findings that do not depend on random draws.
 #include "experiments/example_5_4.hpp"
 
 #include <gtest/gtest.h>
@@ -101,36 +101,35 @@ TEST(Summary, HasTheValuesOfTheCourse) {
   EXPECT_EQ(s.nis, 1);
   EXPECT_EQ(s.mapped, 1);
   EXPECT_EQ(s.error_m.size(), 10u);
-  EXPECT_EQ(follows({s}), Finding::refuted);
+  EXPECT_EQ(follows({s}), Answer::refuted);
 }
 
-using Verdicts = std::map<std::string, std::string>;
-Verdicts verdicts(const std::vector<Claim>& claims) {
-  Verdicts found;
+using Findings = std::map<std::string, std::string>;
+Findings findings(const std::vector<Claim>& claims) {
+  Findings found;
   for (const Claim& claim : claims) {
-    EXPECT_TRUE(found.emplace(claim.id, name(claim.verdict)).second) << claim.id << " occurs twice";
-    EXPECT_EQ(claim.why.empty(), claim.verdict == Verdict::holds) << claim.id;
+    EXPECT_TRUE(found.emplace(claim.id, name(claim.finding)).second) << claim.id << " occurs twice";
+    EXPECT_EQ(claim.why.empty(), claim.finding == Finding::holds) << claim.id;
   }
   return found;
 }
 
-TEST(Example5_4, VerdictsOnItsEquations) {
-  const char *yes = "holds", *corrected = "holds-as-corrected";
+TEST(Example5_4, FindingsOnItsEquations) {
   ExperimentSettings settings;
   settings.seeds = 200;
-  EXPECT_EQ(verdicts(model_claims()), (Verdicts{{"5.4-sampled", corrected},
-                                                {"5.4-quaternion", corrected},
-                                                {"5.4-norm", yes},
-                                                {"5.4-lens", corrected},
-                                                {"5.4-linear", corrected}}));
-  EXPECT_EQ(verdicts(law_claims(settings)), (Verdicts{{"5.4-amplitude", corrected},
-                                                      {"5.4-returns", corrected},
-                                                      {"5.4-derivative", yes},
-                                                      {"5.4-velocity", corrected},
-                                                      {"5.4-orientation", corrected},
-                                                      {"5.4-regulates", yes},
-                                                      {"5.4-asymptotic", corrected},
-                                                      {"5.4-psd", corrected}}));
+  EXPECT_EQ(findings(model_claims()), (Findings{{"5.4-sampled", "holds-if"},
+                                                {"5.4-quaternion", "misprint"},
+                                                {"5.4-norm", "holds"},
+                                                {"5.4-lens", "holds-if"},
+                                                {"5.4-linear", "misprint"}}));
+  EXPECT_EQ(findings(law_claims(settings)), (Findings{{"5.4-amplitude", "does-not-hold"},
+                                                      {"5.4-returns", "does-not-hold"},
+                                                      {"5.4-derivative", "holds"},
+                                                      {"5.4-velocity", "misprint"},
+                                                      {"5.4-orientation", "does-not-hold"},
+                                                      {"5.4-regulates", "holds"},
+                                                      {"5.4-asymptotic", "holds-if"},
+                                                      {"5.4-psd", "holds-if"}}));
 }
 
 }  // namespace

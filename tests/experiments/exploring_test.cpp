@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <future>
 
-#include "experiments/exploring_strategies.hpp"
+#include "experiments/exploring_claims.hpp"
 #include "experiments/seeds.hpp"
 #include "incognita/analysis/evaluation/statistics.hpp"
 

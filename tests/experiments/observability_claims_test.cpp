@@ -141,6 +141,36 @@ TEST(StudyTest, RefusesMatricesOfTheWrongSystem) {
   EXPECT_FALSE(same(blind, s.stripped(2)));
 }
 
+TEST(StudyTest, OnlyFrozenRowsSeeATurn) {
+  const Study &world = study({.system = "planar"}), &anchored = study({.system = "planar", .anchors = 1}),
+              &map = study(relative_map("inertial"));
+  EXPECT_TRUE(seen_by_frozen_rows_only(world, named({"rotation"})));
+  EXPECT_TRUE(seen_by_frozen_rows_only(anchored, about_anchor({"rotation"})));
+  EXPECT_TRUE(seen_by_frozen_rows_only(map, named({"rotation about z"})));
+  EXPECT_FALSE(seen_by_frozen_rows_only(world, named({"translation"})));  // nothing sees it
+  EXPECT_FALSE(seen_by_frozen_rows_only(world, named({"depth"})));        // the motion sees it
+  EXPECT_FALSE(seen_by_frozen_rows_only(anchored, named({"rotation"})));  // the anchor does
+}
+
+TEST(StudyTest, ClaimsOfASystemHaveTwoFindings) {
+  const Claim both = studied("some", "", "", {.measured = "", .why = "because"},
+                             InTruth{false, in_truth(true)}, ByMethod{false, on_condition(true)});
+  EXPECT_EQ(both.finding, Finding::does_not_hold);
+  EXPECT_EQ(both.by_method, Finding::holds_if);
+  EXPECT_EQ(both.why, "because");
+  EXPECT_EQ(both.runs, motions);
+  const Claim opposite = studied(3, "some", "", "", {}, InTruth{true}, ByMethod{false});
+  EXPECT_EQ(opposite.finding, Finding::holds);
+  EXPECT_EQ(opposite.by_method, Finding::does_not_hold);
+  EXPECT_EQ(opposite.runs, 3 * motions);
+  EXPECT_FALSE(studied("some", "", "", {}, true).by_method);
+}
+
+TEST(StudyTest, NoNumberWhereMotionsDisagree) {
+  EXPECT_EQ(number_of("left", 2)->value.value, 2);
+  EXPECT_FALSE(number_of("left", no_dimension));
+}
+
 /// Largest difference of F and H, transformed to misalignments from exact derivatives, from those of the
 /// error form.
 double apart_from_error_form(const Case& which, Eigen::Index angles,

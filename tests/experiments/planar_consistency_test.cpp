@@ -88,6 +88,26 @@ TEST(PlanarConsistency, ABlockDiagonalMapIsConservative) {
   EXPECT_LT(nees, 1.2);
 }
 
+TEST(PlanarConsistency, AnUnsureHeadingTurnsPathAndMap) {
+  const PlanarConsistency known = planar_consistency({.duration_s = 100}, 3, {}),
+                          unsure = planar_consistency({.duration_s = 100}, 3, {}, 0.5);
+  EXPECT_GT(unsure.position_rms_m, 3 * known.position_rms_m);
+  EXPECT_GT(unsure.at_end.error_m, 3 * known.at_end.error_m);
+  EXPECT_LT(unsure.fitted_position_rms_m, 2 * known.fitted_position_rms_m)
+      << "a rigid fit leaves the turn out";
+}
+
+TEST(PlanarConsistency, AnchorsAreNotAmongTheLandmarks) {
+  PlanarFilterSettings filter;
+  for (const RangeRecording::Landmark& landmark : drive_planar_loop({}, 1).landmarks)
+    filter.anchors.push_back(landmark.position);
+  filter.anchors.pop_back();
+  const PlanarConsistency one =
+      planar_consistency({}, 1, filter);  // a single landmark, seen from a known map
+  EXPECT_LT(one.at_end.error_m, 4 * one.at_end.sigma_m);
+  EXPECT_LT(one.at_end.sigma_m, one.at_half.sigma_m);
+}
+
 TEST(PlanarConsistency, IsDeterministicForASeed) {
   for (const PlanarFilterChoice& choice : planar_filter_choices()) {
     const PlanarConsistency a = planar_consistency({.duration_s = 50}, 3, choice.filter),

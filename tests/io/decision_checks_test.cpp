@@ -38,11 +38,12 @@ TEST(DecisionChecks, RefuseInapplicableSettings) {
       {"[decision]\nstrategy = \"boldly\"", "decision.strategy"},
       {"[decision]\nstrategy = \"lawn-mower\"", "decision.min_bound_m"},
       {"[decision]\nstrategy = \"wall-follower\"", "with decision.strategy = `wall-follower`"},
-      {"[decision]\ngaze = \"outward\"", "with decision.gaze = `outward`"},
       {"[decision]\nstrategy = \"wall-follower\"\nwall_distance_m = 2\nmin_bound_m = [-2, -3, 0]\n"
        "max_bound_m = [2, 3, 2]",
-       "decision.wall_distance_m = 2: must be less than 2, half of the narrower side"},
+       "decision.wall_distance_m = 2.0: must be less than 2, half of the narrower side"},
       {"[decision]\nstrategy = \"frontier\"", "exploration.expected_landmarks = 0: must be more than 0"},
+      {"[decision]\nstrategy = \"frontier\"\ngaze_rate_rad_s = 0\n[exploration]\nexpected_landmarks = 5",
+       "decision.gaze_rate_rad_s = 0.0: must be more than 0 with decision.strategy = `frontier`"},
       {"[exploration]\nexpected_landmarks = -1", "exploration.expected_landmarks"},
       {"[exploration]\nexpected_landmarks = 5\nvolume_min_m = [1, 1, 1]\nvolume_max_m = [1, 2, 2]",
        "must be more than exploration.volume_min_m along each axis"},
@@ -66,20 +67,6 @@ TEST(DecisionChecks, TheGazeOfAnyFreeCameraMaySwing) {
   const testing::Scratch scratch;
   EXPECT_HAS(effective_toml(load_scenario(scratch.write("points.toml", points).string())), "gaze = \"hold\"");
   EXPECT_HAS(effective_toml(load_scenario(scratch.write("room.toml", room).string())), "gaze = \"swing\"");
-}
-
-/// It faces the wall unless the gaze is given.
-TEST(DecisionChecks, TheGazeOfTheWallFollowerIsOutwardByDefault) {
-  const std::string follows =
-      "[decision]\nstrategy = \"wall-follower\"\nmin_bound_m = [-2, -3, 0]\nmax_bound_m = [2, 3, 2]\n";
-  const testing::Scratch scratch;
-  for (const std::string& world : {points, room}) {
-    const auto effective = [&](const std::string& more) {
-      return effective_toml(load_scenario(scratch.write("mine.toml", world + follows + more).string()));
-    };
-    EXPECT_HAS(effective(""), "gaze = \"outward\"");
-    EXPECT_HAS(effective("gaze = \"constant-rate\"\n"), "gaze = \"constant-rate\"");
-  }
 }
 
 TEST(DecisionChecks, AnOperatorNeedsTheFrameOfTheRoom) {

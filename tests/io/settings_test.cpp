@@ -556,7 +556,7 @@ TEST(LoadScenario, TakesTheSettingsOfAllStrategies) {
       "max_bound_m = [2, 2, 2]\n[exploration]\nexpected_landmarks = 5\n";
   for (const char* strategy :
        {"mutual-information", "random", "fixed-path", "lawn-mower", "wall-follower", "frontier", "none"})
-    for (const char* gaze : {"swing", "hold", "constant-rate", "outward", "fisher"})
+    for (const char* gaze : {"swing", "hold", "constant-rate", "fisher"})
       EXPECT_EQ(complaint(text, {"decision.strategy=" + std::string(strategy),
                                  "decision.gaze=" + std::string(gaze)}),
                 "(none)");

@@ -113,6 +113,7 @@ TEST(OutcomeSummary, DivergedMeansMoreThanHalfAMeterRmsOrLostAtTheEnd) {
     OutcomeSummary summary(true);
     summary.add(frame(0, 1, 0.1));
     Snapshot s = frame(1, 1, error_m);
+    s.mapped = 0;
     s.status.state = s.bodies[0].state = end;
     summary.add(s);
     return summary.measures();

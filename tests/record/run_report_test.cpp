@@ -64,6 +64,21 @@ TEST(RunReport, StatesHowMuchIsMappedAndHowWell) {
       << in_words(r, 4, "x");
 }
 
+TEST(RunReport, StatesEntropiesAndADivergedRun) {
+  RunReport r = room();
+  r.entropy = -378.94;
+  r.outcome.diverged = false;
+  const std::string before = in_words(r, 4, "x");
+  EXPECT_NE(before.find("entropy      -379 nats\n"), std::string::npos) << before;
+  EXPECT_EQ(before.find("diverged"), std::string::npos) << before;
+  r.entropy_extended = 1234.5678;
+  r.outcome.diverged = true;
+  const std::string text = in_words(r, 4, "x");
+  EXPECT_NE(text.find("entropy      -379 nats, 1235 with what is not mapped yet\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("drift 0.041 % of the path, diverged\n"), std::string::npos) << text;
+}
+
 TEST(RunReport, StatesWhyARunFailed) {
   RunReport r = room();
   r.status = RunStatus::failed;

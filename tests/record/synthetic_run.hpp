@@ -126,6 +126,7 @@ inline Snapshot synthetic_snapshot(const SyntheticRun& run, int frame, double pa
   add_decision(snapshot.bodies.at(0), frame);
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   snapshot.entropy = {-50.0 - 0.01 * frame, 3.0 * (frame / 10), -50 - 0.01 * frame + 3.0 * (frame / 10)};
+  snapshot.mapped = 0.001 * frame;
   if (frame < run.starting) snapshot.entropy = {unknown, unknown, unknown};
   snapshot.timing_ms = {{"search", 0.5 * pace_ms}, {"frame", pace_ms}};
   if (frame == 20) snapshot.timing_ms.insert(snapshot.timing_ms.begin() + 1, {"birth", 1.0});

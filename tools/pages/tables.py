@@ -82,10 +82,8 @@ def camera_row(results: Results, folder: str, settings: str) -> str:
 
 
 NUMBER = r"(-?[\d.]+(?:e[+-]\d+)?)"
-COMPARISON = re.compile(rf"entropy less that of (?:moving |driving |the )?([a-z ]+): {NUMBER} \({NUMBER} to {NUMBER}\) nats .*?"
-                        r"lower in (\d+) of (\d+) rooms.*?diverged (\d+) and (\d+), "
-                        rf"position error {NUMBER} and {NUMBER} m \(median\)")
-COVERAGE = re.compile(rf"([a-z() ,]+): entropy {NUMBER} .*? located, {NUMBER} \([^()]*\) % covered")
+DIFFERENCE = re.compile(rf"{NUMBER} nats \({NUMBER} to {NUMBER}\)")
+OF_RUNS = re.compile(rf"entropy {NUMBER} nats, position error {NUMBER} m, (\d+) diverged, {NUMBER} % seen, {NUMBER} located")
 
 
 def plain(number: str) -> str:
@@ -93,39 +91,52 @@ def plain(number: str) -> str:
     return f"{float(number):.4g}" if "e" in number else number
 
 
-def comparison(results: Results, section: str, against: str, as_mapped: bool) -> tuple[list[str], str]:
-    """Numbers and verdict of the claim of the ledger that moving by information leaves less entropy than another
-    strategy. `as_mapped`: in the variant that counts unseen landmarks as far as they would be mapped."""
-    for row in ledger_section(results, section).split("\n"):
-        found = COMPARISON.search(row)
-        if found and found[1] == against and ("exploration.counted = as-mapped" in row) == as_mapped:
-            return [plain(number) for number in found.groups()[1:]], row.split(" | ")[4]
-    raise KeyError(f"docs/claims.md, {section}: no comparison with `{against}`")
+def named_parts(text: str) -> dict[str, str]:
+    """`a: 1; b: 2` by name."""
+    return dict(part.split(": ", 1) for part in text.split("; "))
 
 
-def ledger_section(results: Results, section: str) -> str:
-    """A section of docs/claims.md."""
-    return results.output("ledger").split(f"\n## {section}: ")[1].split("\n## ")[0]
+def compared(results: Results, claim_id: str) -> tuple[dict, dict[str, str], dict[str, str]]:
+    """A claim of docs/ledger/claims.json that a strategy leaves less entropy than others: the claim; its differences of
+    entropy by rival; and what became of each strategy, by name."""
+    claim = next((claim for entry in json.loads(results.output("ledger")) for claim in entry["claims"]
+                  if claim["id"] == claim_id), None)
+    if claim is None:
+        raise KeyError(f"docs/ledger/claims.json: no claim `{claim_id}`")
+    differences, became = claim["measured"].split(". ", 1)
+    return claim, named_parts(differences.removeprefix("entropy less that of ")), named_parts(became)
 
 
-def coverage(results: Results, section: str, strategy: str) -> str:
-    """Percent of the room that a strategy has seen, of docs/claims.md."""
-    return next(share for name, _, share in COVERAGE.findall(ledger_section(results, section)) if name.strip() == strategy)
+def gain_of(results: Results, claim_id: str, ours: str, rival: str) -> tuple[list[str], list[str], list[str]]:
+    """Difference of entropy with its interval; and of both strategies position error, diverged, room seen."""
+    _, differences, became = compared(results, claim_id)
+    try:
+        difference = DIFFERENCE.fullmatch(differences[rival])
+        runs = [OF_RUNS.fullmatch(became[name]) for name in (ours, rival)]
+    except KeyError as name:
+        raise KeyError(f"docs/ledger/claims.json, {claim_id}: no strategy {name}") from None
+    if not (difference and all(runs)):
+        raise KeyError(f"docs/ledger/claims.json, {claim_id}: the measured text is not that of a comparison")
+    return [plain(number) for number in difference.groups()], list(runs[0].groups()), list(runs[1].groups())
 
 
-def gain_row(results: Results, section: str, ours: str, against: str, baseline: str, as_mapped: bool = False) -> str:
+def gain_row(results: Results, claim_id: str, ours: str, rival: str) -> str:
     """What moving by information gained over another strategy, and what it cost: cells."""
-    (gap, low, high, lower, rooms, *diverged, error, other_error), verdict = comparison(results, section, against, as_mapped)
-    return (f"{gap} ({low} to {high}) | {lower} of {rooms} | {verdict} | {error} / {other_error} | "
-            f"{coverage(results, section, ours)} / {coverage(results, section, baseline)} | {' / '.join(diverged)} |")
+    (gap, low, high), (_, error, diverged, seen, _), (_, other_error, other_diverged, other_seen, _) = gain_of(
+        results, claim_id, ours, rival)
+    answer = "yes" if float(high) < 0 else "no" if float(low) >= 0 else "undecided"
+    return (f"{gap} ({low} to {high}) | {answer} | {error} / {other_error} | {seen} / {other_seen} | "
+            f"{diverged} / {other_diverged} |")
 
 
-def gain_sentence(results: Results, section: str, ours: str, against: str, baseline: str) -> str:
-    """The same in words, of the variant."""
-    (gap, low, high, lower, rooms, _, _, error, other_error), _ = comparison(results, section, against, True)
-    return (f"Over {rooms} rooms, mutual information leaves {gap.lstrip('-')} nats less entropy than random motion (99.9 % interval "
-            f"{high.lstrip('-')} to {low.lstrip('-')}), but its median position error is {error} m against {other_error} m, "
-            f"and the camera sees {coverage(results, section, ours)} % of the room against {coverage(results, section, baseline)} %.")
+def gain_sentence(results: Results, claim_id: str, ours: str, rival: str) -> str:
+    """The same in words."""
+    (gap, low, high), (_, error, _, seen, _), (_, other_error, _, other_seen, _) = gain_of(results, claim_id, ours, rival)
+    if float(high) >= 0:
+        raise KeyError(f"docs/ledger/claims.json, {claim_id}: not less entropy than {rival}; the sentence says it is")
+    return (f"Over {compared(results, claim_id)[0]['runs']} rooms, mutual information leaves {gap.lstrip('-')} nats less entropy than "
+            f"random motion (95 % interval {high.lstrip('-')} to {low.lstrip('-')}), but its median position error is {error} m "
+            f"against {other_error} m, and the camera sees {seen} % of the room against {other_seen} %.")
 
 
 def right_matches(results: Results, campaign: str, variant: str = "") -> float:

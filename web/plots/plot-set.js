@@ -22,6 +22,10 @@ const ENTROPIES = [
   { column: 'entropy_vehicle_nats', label: 'vehicle', color: '--green', dash: '3 2' },
   { column: 'entropy_extended_nats', label: 'extended', color: '--purple', dash: '8 3 2 3' },
 ];
+const SHARES = [
+  { column: 'mapped', label: 'mapped to 5 cm', color: '--blue', dash: '' },
+  { column: 'coverage', label: 'seen', color: '--orange', dash: '7 3' },
+];
 const ERRORS = [
   ['x_m', 'x (m)'],
   ['y_m', 'y (m)'],
@@ -45,6 +49,12 @@ export class PlotSet {
       clock,
       'Entropies over time; marks: initialized landmarks',
     );
+    this.shares = new LinePlot(
+      'Share of the world',
+      'shares',
+      clock,
+      'Share of the world that is mapped to 5 cm, and of the exploration volume that was seen',
+    );
     this.errors = ERRORS.map(
       ([name, words]) =>
         new LinePlot(words, `error-${name}`, clock, `Error ${words} of body 1 with its 2-sigma bounds`),
@@ -56,11 +66,11 @@ export class PlotSet {
       'NIS over its degrees of freedom, with the 95 % band of the chi-square distribution (Wilson-Hilferty)',
     );
     this.timings = new TimingsPlot(run);
-    this.all = [this.entropy, ...this.errors, this.nis, this.timings];
+    this.all = [this.entropy, this.shares, ...this.errors, this.nis, this.timings];
     this.element = element(
       'div',
       { class: 'plots' },
-      this.#panel('Entropies', 'entropies', [this.entropy], 'ticks: new landmarks'),
+      this.#panel('Entropies', 'entropies', [this.entropy, this.shares], 'ticks: new landmarks'),
       this.#panel('Pose errors and ±2σ bounds', 'errors', this.errors),
       this.#panel('Innovations', 'nis', [this.nis]),
       this.#panel('Stage timings', 'timings', [this.timings]),
@@ -88,10 +98,23 @@ export class PlotSet {
     const [first, last] = indexRange(times, ...range);
     const t = times.slice(first, last);
     const column = (/** @type {string} */ name) => this.run.series.columns[name]?.slice(first, last);
-    this.entropy.draw({ t, range, lines: entropyLines(column), marks: this.#initializations() });
+    this.#drawShares(t, range, column);
+    this.entropy.draw({ t, range, lines: knownLines(ENTROPIES, column), marks: this.#initializations() });
     this.#drawErrors(t, range, column);
     this.nis.draw({ t, range, ...this.#nisData(column('nis') ?? [], column('nis_dof') ?? []) });
     this.timings.draw(this.clock.replaying || t.length === 0 ? this.clock.time : t[t.length - 1]);
+  }
+
+  /**
+   * Of a simulation or with an exploration prior; else the entropies have its room.
+   * @param {number[]} t @param {[number, number]} range @param {Column} column
+   */
+  #drawShares(t, range, column) {
+    const { columns } = this.run.series;
+    /** @type {HTMLElement} */ (this.shares.svg.parentElement).hidden = !SHARES.some((style) =>
+      columns[style.column]?.some(Number.isFinite),
+    );
+    this.shares.draw({ t, range, domain: [0, 1], lines: knownLines(SHARES, column) });
   }
 
   /**
@@ -166,9 +189,9 @@ export class PlotSet {
 
 /** @typedef {(name: string) => number[] | undefined} Column values of the shown range */
 
-/** @param {Column} column */
-function entropyLines(column) {
-  return ENTROPIES.flatMap((style) => {
+/** @param {typeof ENTROPIES} styles @param {Column} column */
+function knownLines(styles, column) {
+  return styles.flatMap((style) => {
     const values = column(style.column);
     return values?.some(Number.isFinite) ? [{ ...style, values }] : [];
   });

@@ -85,6 +85,7 @@
  * @property {{vehicle?: number, map?: number, total?: number}} [entropy]
  * @property {number} [entropy_extended]
  * @property {number} [coverage]
+ * @property {number} [mapped]
  * @property {Body[]} bodies
  * @property {Match[]} matches
  * @property {number[]} [landmark_ids]

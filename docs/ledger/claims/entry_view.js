@@ -3,8 +3,8 @@ import { element } from '../shared/elements.js';
 import { claimView } from './claim_view.js';
 import { figureView } from './figure_view.js';
 import { placeFigures } from './figures.js';
+import { countFindings } from './findings.js';
 import { proportions } from './proportions.js';
-import { countVerdicts } from './verdicts.js';
 /** @typedef {import('./types.js').Entry} Entry */
 
 /** The address of an example on the page. @param {Entry} entry @returns {string} */
@@ -45,7 +45,7 @@ export function entryView(entry, total, terms) {
         { class: 'muted' },
         entry.claims.length === total ? `${total} claims` : `${entry.claims.length} of ${total} claims`,
       ),
-      proportions(countVerdicts(entry.claims)),
+      proportions(countFindings(entry.claims)),
     ),
     entry.skipped
       ? element('p', { class: 'skipped' }, element('strong', {}, 'Skipped: '), entry.skipped)

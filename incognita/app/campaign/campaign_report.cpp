@@ -18,8 +18,21 @@ namespace {
 constexpr std::size_t most_shown = 20;
 
 /// The measures shown on a terminal by default.
-constexpr const char* worth_reporting[] = {"failed",      "ate_m",         "mean_nees", "mean_nis",
-                                           "lost_frames", "entropy.total", "landmarks"};
+constexpr const char* worth_reporting[] = {"failed",
+                                           "exploration.diverged",
+                                           "ate_m",
+                                           "mean_nees",
+                                           "mean_nis",
+                                           "lost_frames",
+                                           "entropy.total",
+                                           "exploration.entropy_extended",
+                                           "landmarks",
+                                           "exploration.mapped_90_s",
+                                           "exploration.mapped_60_s",
+                                           "exploration.mapped",
+                                           "map_error_m",
+                                           "exploration.within_5_cm",
+                                           "exploration.within_3_sigma"};
 
 Campaign gather(const CampaignPlan& plan, const CampaignFolder& folder) {
   Campaign campaign{plan.scenario_name, INCOGNITA_VERSION, plan.seeds, {}, plan.baseline};

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <csignal>
 #include <exception>
@@ -16,6 +17,7 @@
 
 #include "incognita/app/console/folder_lock.hpp"
 #include "incognita/app/console/print_message.hpp"
+#include "incognita/io/formats/files.hpp"
 #include "incognita/math/nearest_name.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/files/row_file.hpp"
@@ -29,11 +31,13 @@ using Json = nlohmann::ordered_json;
 using Experiments = std::vector<Experiment>;
 
 constexpr int max_seeds = 100'000;
+constexpr std::size_t largest_ledger = 64 << 20;  // bytes
 
 struct Options {
   std::vector<std::string> ids;
   std::string out = "out/reproduce";
   int seeds = ExperimentSettings{}.seeds;
+  std::string update;  ///< a claims.json whose other entries are kept
   bool json = false;
   bool list = false;
 };
@@ -80,6 +84,19 @@ int list(const std::vector<const Experiment*>& experiments, bool json) {
   return 0;
 }
 
+/// `entries` in place of those of `earlier` with their ids, the rest of `earlier` kept; in the order of the thesis.
+std::vector<LedgerEntry> merged(const std::vector<LedgerEntry>& earlier,
+                                const std::vector<LedgerEntry>& entries, const Experiments& all) {
+  std::vector<LedgerEntry> ledger;
+  for (const Experiment& e : all)
+    for (const std::vector<LedgerEntry>* of : {&entries, &earlier})
+      if (const auto found = std::ranges::find(*of, e.id, &LedgerEntry::id); found != of->end()) {
+        ledger.push_back(*found);
+        break;
+      }
+  return ledger;
+}
+
 void write_ledger(const fs::path& out, const std::vector<LedgerEntry>& entries) {
   write_whole_file(out / "claims.json", ledger_json(entries));
   write_whole_file(out / "claims.md", ledger_markdown(entries));
@@ -89,7 +106,7 @@ void print_table(const LedgerEntry& entry) {
   fmt::print("{}: {}\n", entry.id, entry.title);
   if (!entry.skipped.empty()) fmt::print("  skipped: {}\n", entry.skipped);
   for (const Claim& claim : entry.claims)
-    fmt::print("  {:<18}  {}: {}\n  {:<18}  measured: {}\n", name(claim.verdict), claim.place,
+    fmt::print("  {:<18}  {}: {}\n  {:<18}  measured: {}\n", name(claim.finding), claim.place,
                claim.statement, "", claim.measured);
   std::fflush(stdout);  // the next experiment may take a while
 }
@@ -103,18 +120,20 @@ std::size_t missing_figures(const Options& options, const std::vector<LedgerEntr
   return missing;
 }
 
-/// E.g. `3 claims: 1 holds, 0 hold as corrected, 1 does not hold, 1 is undecided`.
+/// E.g. `3 claims: 1 holds, 1 misprint, 0 hold on a condition, 1 does not hold, 0 are undecided`.
 std::string counted(const std::vector<LedgerEntry>& entries) {
-  std::size_t counts[4] = {0, 0, 0, 0}, all = 0;
+  std::array<std::size_t, 5> counts{};
+  std::size_t all = 0;
   for (const LedgerEntry& entry : entries)
-    for (const Claim& claim : entry.claims) ++counts[static_cast<std::size_t>(claim.verdict)], ++all;
+    for (const Claim& claim : entry.claims) ++counts[static_cast<std::size_t>(claim.finding)], ++all;
   const auto verb = [](std::size_t n, const char* one, const char* many) {
     return fmt::format("{} {}", n, n == 1 ? one : many);
   };
-  return fmt::format("{}: {}, {}, {}, {}", verb(all, "claim", "claims"), verb(counts[0], "holds", "hold"),
-                     verb(counts[1], "holds as corrected", "hold as corrected"),
-                     verb(counts[2], "does not hold", "do not hold"),
-                     verb(counts[3], "is undecided", "are undecided"));
+  return fmt::format("{}: {}, {}, {}, {}, {}", verb(all, "claim", "claims"), verb(counts[0], "holds", "hold"),
+                     verb(counts[1], "misprint", "misprints"),
+                     verb(counts[2], "holds on a condition", "hold on a condition"),
+                     verb(counts[3], "does not hold", "do not hold"),
+                     verb(counts[4], "is undecided", "are undecided"));
 }
 
 void report_outcomes(const Options& options, const std::vector<LedgerEntry>& entries) {
@@ -134,11 +153,12 @@ void report_outcomes(const Options& options, const std::vector<LedgerEntry>& ent
 }
 
 /// Entries of all experiments that did not fail. The ledger is written after each, so that it survives an early end.
-std::vector<LedgerEntry> run_all(const Options& options, const std::vector<const Experiment*>& experiments) {
+std::vector<LedgerEntry> run_all(const Options& options, const std::vector<const Experiment*>& experiments,
+                                 const std::function<void(const std::vector<LedgerEntry>&)>& write) {
   const ExperimentSettings settings{options.out, options.seeds,
                                     [](const std::string& line) { print_message("  {}\n", line); }};
   std::vector<LedgerEntry> entries;
-  write_ledger(options.out, entries);
+  write(entries);
   for (std::size_t i = 0; i < experiments.size(); ++i) {
     const Experiment& experiment = *experiments[i];
     print_message("[{}/{}] {}: {}\n", i + 1, experiments.size(), experiment.id, experiment.title);
@@ -148,7 +168,7 @@ std::vector<LedgerEntry> run_all(const Options& options, const std::vector<const
       print_message("reproduce: {} failed: {}\n", experiment.id, error.what());
       continue;
     }
-    write_ledger(options.out, entries);
+    write(entries);
     const LedgerEntry& entry = entries.back();
     if (!options.json)
       print_table(entry);
@@ -172,7 +192,13 @@ int reproduce(const Options& options, const Experiments& all) {
   if (options.out.empty()) throw InputError("--out: is empty; a folder is required");
   const FolderLock lock(options.out);  // before any file of an earlier run is changed
   make_figures_folder(options.out);
-  const std::vector<LedgerEntry> entries = run_all(options, experiments);
+  const std::vector<LedgerEntry> earlier =
+      options.update.empty() ? std::vector<LedgerEntry>{}
+                             : read_ledger(read_file(options.update, largest_ledger), options.update);
+  const std::vector<LedgerEntry> entries =
+      run_all(options, experiments, [&](const std::vector<LedgerEntry>& so_far) {
+        write_ledger(options.out, merged(earlier, so_far, all));
+      });
   if (options.json) fmt::print("{}", ledger_json(entries));
   report_outcomes(options, entries);
   return entries.size() == experiments.size() ? 0 : 1;
@@ -203,6 +229,10 @@ CLI::App* add_reproduce(CLI::App& app, std::function<int()>& job,
       ->type_name("N")
       ->check(CLI::Validator(why_no_count, ""))
       ->capture_default_str();
+  command
+      ->add_option("--update", options->update,
+                   "An earlier claims.json: what is not run now is taken from it")
+      ->type_name("FILE");
   command->add_flag("--json", options->json, "One JSON document on standard output: docs/schemas");
   command->add_flag("--list", options->list, "Only list the experiments");
   command->footer("Example: incognita reproduce 3.1 fig-3.8 --seeds 50 --out out/examples");

@@ -37,7 +37,7 @@ std::vector<std::string> notes_of(const LoadedScenario& loaded) {
   const Scenario& s = loaded.scenario;
   const PointsSettings& points = s.points;
   const bool all_known = points.known < 0 || points.known >= points.count;
-  if (measures_distance(sensor_of(s)) || !points.file.empty() || all_known) return {};
+  if (measures_distance(sensor_of(s)) || !points.file.empty() || all_known || depth_lines_of(s)) return {};
   const double near_m =
       1 / (s.slam.initialization.inverse_depth_per_m + 2 * s.slam.initialization.sigma_inverse_depth_per_m);
   const double assumed_m = 1 / s.slam.initialization.inverse_depth_per_m,
@@ -86,6 +86,8 @@ EstimatorSettings estimator_settings(const LoadedScenario& loaded, const PointLa
   team.health = s.planar.health;
   team.association = s.planar.association;
   team.pruning = s.planar.pruning;
+  team.depth_lines = depth_lines_of(s);
+  team.wanted_visible = s.slam.map.wanted_visible;
   set_anchors(team, place, s.points.known);
   for (std::size_t i = 0; i < vehicles_of(s); ++i) team.bodies.push_back(member_of(s, i, ground));
   return team;

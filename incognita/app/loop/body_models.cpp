@@ -211,6 +211,12 @@ MapperSettings filter_of(const Scenario& s) {
   return f;
 }
 
+std::optional<DepthLineSettings> depth_lines_of(const Scenario& s) {
+  const InitializationSettings& i = s.slam.initialization;
+  if (i.method != InitializationSettings::Method::depth_line) return std::nullopt;
+  return DepthLineSettings{i.depth_range(), i.depth_ratio, i.max_line_failures};
+}
+
 SimulatedVehicle simulated_vehicle(const Scenario& s, std::size_t i, const Terrain& ground) {
   const TruePlantSettings& p = s.plant;
   SimulatedBody body{motion_of(s, ground), plant_of(s, i), {}};
@@ -269,6 +275,7 @@ ActiveSettings active_settings_of(const Scenario& s) {
     out.carrier =
         CarrierSettings{s.mount, can.max_speed_m_s, can.max_turn_rate_rad_s, can.avoidance_distance_m};
   out.tick_s = 1 / s.run.rate_hz;
+  if (s.operator_settings.holds) out.delay_s = s.operator_settings.delay_s;
   out.seed = static_cast<std::uint64_t>(s.run.seed);
   return out;
 }

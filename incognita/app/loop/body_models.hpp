@@ -31,6 +31,8 @@ AnySensor sensor_of(const Scenario& scenario);
 /// The estimator's model of vehicle `i`.
 BodyModel member_of(const Scenario& scenario, std::size_t i, const Terrain& ground);
 MapperSettings filter_of(const Scenario& scenario);
+/// Nothing if landmarks enter the map at once.
+std::optional<DepthLineSettings> depth_lines_of(const Scenario& scenario);
 
 /// The true vehicle `i` with its point sensor; the vehicle that carries camera `i` if has_carried_camera().
 SimulatedVehicle simulated_vehicle(const Scenario& scenario, std::size_t i, const Terrain& ground);

@@ -71,13 +71,18 @@ void restore_section(const StateFile& file, const std::string& name, const Secti
   if (reader.left() > 0) throw failed(fmt::format("{} bytes are left over", reader.left()));
 }
 
-/// Each feature of a camera is the appearance of a landmark.
+/// Each feature of a camera is the appearance of a landmark, and each depth line is a ray of the belief.
 void check_features(const Estimate& estimate, const Estimator& estimator) {
   const auto* slam = dynamic_cast<const SlamEstimator*>(&estimator);
   if (!slam) return;
   for (const FeatureTracker& camera : slam->cameras())
     for (const auto& [id, feature] : camera.camera().features)
       if (!estimate.landmarks.contains(id)) throw DamagedState(fmt::format("there is no landmark {}", id));
+  for (const auto& [id, line] : slam->depth_lines().lines()) {
+    const auto ray = estimate.landmarks.find(id);
+    if (ray == estimate.landmarks.end() || ray->second.form.kind != LandmarkParametrization::Kind::ray)
+      throw DamagedState(fmt::format("landmark {} is no ray", id));
+  }
 }
 
 /// All sections but those of scenario and clock, in the order in which they are restored.

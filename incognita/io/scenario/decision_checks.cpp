@@ -97,13 +97,12 @@ void check_rules(const Scenario& s, List& found) {
   using Strategy = DecisionSettings::Strategy;
   const DecisionSettings& d = s.decision;
   const bool by_bounds = d.strategy == Strategy::lawn_mower || d.strategy == Strategy::wall_follower;
-  const bool outward = d.gaze == DecisionSettings::Gaze::outward;
-  if ((by_bounds || outward) && !d.has_sides())
+  if (by_bounds && !d.has_sides())
     return found.push_back(
         {"decision.min_bound_m",
-         fmt::format("must be given, and decision.max_bound_m, with {}: it goes by the sides of the bounds",
-                     by_bounds ? fmt::format("decision.strategy = `{}`", word_of(d.strategy))
-                               : "decision.gaze = `outward`")});
+         fmt::format("must be given, and decision.max_bound_m, with decision.strategy = `{}`: it goes by the "
+                     "sides of the bounds",
+                     word_of(d.strategy))});
   const double narrow_m = (d.max_bound_m - d.min_bound_m).head<2>().minCoeff();
   if (d.strategy == Strategy::wall_follower && !(2 * d.wall_distance_m < narrow_m))
     found.push_back({"decision.wall_distance_m",
@@ -114,6 +113,10 @@ void check_rules(const Scenario& s, List& found) {
     found.push_back({"exploration.expected_landmarks",
                      "must be more than 0 with decision.strategy = `frontier`, which goes to unseen cells of "
                      "the exploration volume"});
+  const bool free_camera = !s.has_carried_camera() && !s.is_camera_vehicle();
+  if (d.strategy == Strategy::frontier && free_camera && d.gaze_rate_rad_s == 0)
+    found.push_back({"decision.gaze_rate_rad_s",
+                     "must be more than 0 with decision.strategy = `frontier`, which turns the gaze"});
 }
 
 /// The operator perceives the pose in the room frame, goals are in the filter's frame: only a target aligns both.

@@ -114,7 +114,6 @@ inline constexpr auto enum_words<DecisionSettings::Gaze> = std::to_array<EnumWor
     {{DecisionSettings::Gaze::swing, "swing"},
      {DecisionSettings::Gaze::hold, "hold"},
      {DecisionSettings::Gaze::constant_rate, "constant-rate"},
-     {DecisionSettings::Gaze::outward, "outward"},
      {DecisionSettings::Gaze::mutual_information, "mutual-information"},
      {DecisionSettings::Gaze::fisher, "fisher"},
      {DecisionSettings::Gaze::fisher_given_state, "fisher-given-state"}});

@@ -29,6 +29,13 @@ void check_sources(const Scenario& s, List& found) {
          "\"free\": the camera starts at the origin, and lengths are relative"});
 }
 
+void check_depths(const InitializationSettings& initialization, List& found) {
+  if (initialization.max_depth_m <= initialization.min_depth_m)
+    found.push_back({"landmark_initialization.max_depth_m",
+                     fmt::format("must be more than landmark_initialization.min_depth_m, which is {}",
+                                 initialization.min_depth_m)});
+}
+
 void check_sizes(const Scenario& s, List& found) {
   const InitializationSettings& initialization = s.slam.initialization;
   const auto fits = [&](const char* key, int size, const char* other, int limit) {
@@ -44,10 +51,6 @@ void check_sizes(const Scenario& s, List& found) {
   if (s.slam.search.max_measurements > 0)
     fits("health.min_matches", s.slam.health.min_matches, "search.max_measurements",
          s.slam.search.max_measurements);
-  if (initialization.max_depth_m <= initialization.min_depth_m)
-    found.push_back({"landmark_initialization.max_depth_m",
-                     fmt::format("must be more than landmark_initialization.min_depth_m, which is {}",
-                                 initialization.min_depth_m)});
 }
 
 void check_room(const Scenario& s, List& found) {
@@ -90,6 +93,7 @@ void check_association(const Scenario& s, List& found) {
 void check_images(const Scenario& s, List& found) {
   check_camera(s, found);
   check_sizes(s, found);
+  check_depths(s.slam.initialization, found);
   if (s.world.type == WorldSettings::Type::room) check_room(s, found);
   if (s.is_room_vehicle()) check_room_vehicle(s, found);
   if (s.is_robot()) check_robot(s, found);
@@ -114,6 +118,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
       found.push_back({conflict->key, conflict->why});
   if (scenario.is_simulated()) {
     check_team(scenario, found);
+    check_depths(scenario.slam.initialization, found);
     if (scenario.decides()) check_decision(scenario, found);
     return found;
   }

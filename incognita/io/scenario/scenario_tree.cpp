@@ -101,7 +101,6 @@ void decision(SettingReader& r, Scenario& s, bool accelerates) {
 void gaze(SettingReader& r, Scenario& s) {
   r.section("decision");
   using D = DecisionSettings;
-  if (s.decision.strategy == D::Strategy::wall_follower) s.decision.gaze = D::Gaze::outward;
   r.some(s.decision, &D::gaze, &D::gaze_rate_rad_s, &D::gaze_period_s, &D::gaze_ahead_s);
 }
 
@@ -535,14 +534,25 @@ void team_sensor(SettingReader& r, Scenario& s, const Bodies& b) {
   r.some(s.sensor, &S::ticks_per_measurement, &S::measures_vehicles);
 }
 
+void depth_lines(SettingReader& r, InitializationSettings& i) {
+  using I = InitializationSettings;
+  r.some(i, &I::min_depth_m, &I::max_depth_m, &I::particles, &I::depth_ratio, &I::max_line_failures);
+}
+
 /// Prior of landmarks whose distance is not measured, and their conversion to points.
 void prior_depth(SettingReader& r, Scenario& s, const Bodies& b) {
   using I = InitializationSettings;
+  I& i = s.slam.initialization;
   r.section("landmark_initialization");
-  if (!b.sensor.measures_distance)
-    r.some(s.slam.initialization, &I::inverse_depth_per_m, &I::sigma_inverse_depth_per_m);
-  if (b.sensor.initial_form == LandmarkParametrization::Kind::inverse_depth)
-    r.some(s.slam.initialization, &I::max_linearity);
+  if (b.camera && !b.sensor.measures_distance) r.some(i, &I::method);
+  if (i.method == I::Method::depth_line) {
+    depth_lines(r, i);
+  } else {
+    if (!b.sensor.measures_distance) r.some(i, &I::inverse_depth_per_m, &I::sigma_inverse_depth_per_m);
+    if (b.sensor.initial_form == LandmarkParametrization::Kind::inverse_depth) r.some(i, &I::max_linearity);
+  }
+  r.section("map");
+  if (b.camera) r.some(s.slam.map, &MapSettings::wanted_visible);
 }
 
 void points(SettingReader& r, Scenario& s, const CameraFinder& find_camera) {

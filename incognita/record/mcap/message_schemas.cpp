@@ -281,6 +281,7 @@ std::string snapshot() {
            {"nis", number("normalized innovation squared, sum over the measurements"), sometimes},
            {"entropy", entropy()},
            {"coverage", number("viewed share of the exploration volume"), sometimes},
+           {"mapped", number("share of the simulated world that is mapped to 5 cm"), sometimes},
            {"entropy_extended", number("nats, with expected landmarks"), sometimes},
            {"interventions", array(intervention(), "of a person, before the motion of this tick"), sometimes},
            {"matches", array(match())},

@@ -157,6 +157,7 @@ std::string snapshot_message(const Snapshot& snapshot, bool landmarks, ParticleL
   if (snapshot.nis_dof > 0) put(json, "nis", snapshot.nis);
   json["entropy"] = entropy_json(snapshot.entropy);
   if (snapshot.coverage) put(json, "coverage", *snapshot.coverage);
+  if (snapshot.mapped) put(json, "mapped", *snapshot.mapped);
   if (snapshot.entropy_extended) put(json, "entropy_extended", *snapshot.entropy_extended);
   if (!snapshot.interventions.empty()) {
     Json& interventions = json["interventions"] = Json::array();

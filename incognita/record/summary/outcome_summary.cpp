@@ -18,9 +18,7 @@ void OutcomeSummary::add(const Snapshot& s) {
 
 void OutcomeSummary::add_poses(const Snapshot& s) {
   for (const SnapshotBody& body : s.bodies) {
-    if (!body.truth) continue;
-    truth_known_ = true;
-    if (!has_pose(body)) continue;
+    if (!body.truth || !has_pose(body)) continue;
     squares_m2_ += (body.truth->position - body.estimate.position).squaredNorm();
     ++poses_;
   }
@@ -62,7 +60,7 @@ OutcomeMeasures OutcomeSummary::measures() const {
   put_map(m);
   if (poses_ > 0) m.position_rms_m = std::sqrt(squares_m2_ / static_cast<double>(poses_));
   m.lost = lost_;
-  if (truth_known_) m.diverged = lost_ || !m.position_rms_m || !(*m.position_rms_m <= diverged_m);
+  if (mapped_) m.diverged = lost_ || !m.position_rms_m || !(*m.position_rms_m <= diverged_m);
   return m;
 }
 

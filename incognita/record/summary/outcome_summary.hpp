@@ -31,7 +31,7 @@ struct OutcomeMeasures {
   /// rms over all poses, of all bodies, whose true position is known; nothing without any.
   std::optional<double> position_rms_m;
   bool lost = false;  ///< at the end
-  /// Lost at the end, or position_rms_m above diverged_m, or not one pose to compare; nothing without a truth.
+  /// Lost at the end, or position_rms_m above diverged_m, or not one pose to compare; nothing where `mapped` is nothing.
   std::optional<bool> diverged;
 };
 
@@ -52,7 +52,7 @@ class OutcomeSummary {
   void put_map(OutcomeMeasures& measures) const;
 
   bool same_frame_;
-  bool lost_ = false, truth_known_ = false;
+  bool lost_ = false;
   double squares_m2_ = 0;
   std::int64_t poses_ = 0;
   bool was_early_ = false, had_few_ = false;  ///< at some frame: before 60 s, with less than 90 % mapped

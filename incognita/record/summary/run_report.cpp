@@ -84,6 +84,14 @@ std::string outcome_lines(const OutcomeMeasures& outcome, bool in_room) {
   return lines;
 }
 
+/// Empty where it is unknown.
+std::string entropy_line(const RunReport& r) {
+  if (!std::isfinite(r.entropy)) return "";
+  std::string text = fmt::format("{:.0f} nats", r.entropy);
+  if (r.entropy_extended) text += fmt::format(", {:.0f} with what is not mapped yet", *r.entropy_extended);
+  return line("entropy", text);
+}
+
 std::string in_words(const char* what, const std::optional<MeanNormalizedSquare>& value) {
   if (!value) return "";
   return fmt::format("{} {} ({} to {})", what, rounded(value->mean), rounded(value->band.low),
@@ -148,10 +156,12 @@ std::string in_words(const RunReport& r, double wall_s, const std::string& out) 
   std::string text = line("run", std::string(name(r.status)) + (r.reason.empty() ? "" : ", " + r.reason));
   text += line("frames", frames_in_words(r));
   text += line("path", path_in_words(r.body, r));
-  text += line("trajectory", errors_in_words(r.body, r));
+  text += line("trajectory",
+               errors_in_words(r.body, r) + (r.outcome.diverged.value_or(false) ? ", diverged" : ""));
   text += robot_lines(r);
   text += line("map", map_in_words(r));
   text += outcome_lines(r.outcome, r.in_room);
+  text += entropy_line(r);
   text += consistency_lines(r.consistency);
   text += line("decisions", std::to_string(r.decisions));
   if (wall_s > 0) text += line("speed", rounded(static_cast<double>(r.frames) / wall_s) + " frames/s");

@@ -41,6 +41,8 @@ struct RunReport {
   /// rms over the matched landmarks, without a survey over those whose truth the simulation knows
   double map_error_m = std::numeric_limits<double>::quiet_NaN();
   int map_error_landmarks = 0;
+  double entropy = std::numeric_limits<double>::quiet_NaN();  ///< of bodies and map, nats
+  std::optional<double> entropy_extended;                     ///< with what is expected and not mapped yet
   OutcomeMeasures outcome;
   bool in_room = false;  ///< the world is the rendered room, whose surface is mapped; else points are
   ConsistencyReport consistency;

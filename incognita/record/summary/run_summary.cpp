@@ -282,6 +282,8 @@ std::optional<Alignment> RunSummary::truth_from_map() const {
 }
 
 void RunSummary::report_map(RunReport& r) const {
+  r.entropy = entropy_.total;
+  r.entropy_extended = exploration_.entropy_extended();
   r.outcome = outcome_.measures();
   r.in_room = in_room_;
   r.surveyed = static_cast<int>(survey_.landmarks.size());

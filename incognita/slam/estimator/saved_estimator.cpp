@@ -33,12 +33,12 @@ void SlamEstimator::TrackedBody::state(StateArchive& archive) {
 }
 
 void SlamEstimator::state(StateArchive& archive) {
-  auto& [settings, cameras, frame_counters, start, bodies, inliers, pruning, entropy, in_images,
+  auto& [settings, cameras, frame_counters, start, bodies, inliers, pruning, depth_lines, entropy, in_images,
          measurements] = *this;
   archive.each(cameras, "cameras");
   archive.each(frame_counters, "cameras");
   archive.each(bodies, "bodies");
-  archive(start, pruning, entropy);
+  archive(start, pruning, depth_lines, entropy);
 }
 
 }  // namespace incognita

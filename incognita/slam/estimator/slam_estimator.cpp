@@ -434,7 +434,9 @@ bool SlamEstimator::correct(Estimate& e) {
 /// The map after the correction: new landmarks of the point sensors, conversions, frame and correlations.
 void SlamEstimator::update_map(Estimate& e, StageClock& stage) {
   pruning_.update(e, settings_);
+  depth_lines_.follow(e, inliers_.candidates, settings_);
   initialize_candidates(e, inliers_, settings_);
+  depth_lines_.take_up(e, settings_);
   convert_converged_inverse_depths(e, settings_);
   stage.mark("initialize");
   recenter_map(e);

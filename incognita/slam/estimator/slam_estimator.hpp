@@ -18,6 +18,7 @@
 #include "incognita/slam/mapper/estimator.hpp"
 #include "incognita/slam/mapper/settings.hpp"
 #include "incognita/slam/points/associate_detections.hpp"
+#include "incognita/slam/points/depth_lines.hpp"
 #include "incognita/slam/points/prune_landmarks.hpp"
 
 namespace incognita {
@@ -33,6 +34,7 @@ class SlamEstimator final : public Estimator {
   const EstimatorSettings& settings() const { return settings_; }
   const std::vector<FeatureTracker>& cameras() const { return cameras_; }
   FeatureTracker& camera(std::size_t index) { return cameras_.at(index); }
+  const DepthLines& depth_lines() const { return depth_lines_; }
 
   /// Advances the estimate from the previous tick to this one. `observation.bodies` has one entry per body, in the
   /// order of the settings. Throws std::invalid_argument, and changes nothing, for what check_observation() refuses and
@@ -100,6 +102,7 @@ class SlamEstimator final : public Estimator {
   std::vector<TrackedBody> bodies_;
   Inliers inliers_;
   LandmarkPruning pruning_;
+  DepthLines depth_lines_;
   RunningEntropy entropy_;
   FrameReport in_images_;                            ///< workspace: the matches of the cameras
   std::vector<LinearizedMeasurement> measurements_;  ///< workspace: inliers of images, then of points

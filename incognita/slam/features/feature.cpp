@@ -35,21 +35,11 @@ DepthPrior TrackedCamera::depth_prior() const {
   return {scale * s.inverse_depth_per_m, scale * s.sigma_inverse_depth_per_m};
 }
 
-RayDepth depth_of(const std::vector<DepthHypothesis>& hypotheses) {
-  double mean = 0, square = 0;
-  for (const DepthHypothesis& h : hypotheses) {
-    mean += h.weight / h.inverse_depth;
-    square += h.weight / (h.inverse_depth * h.inverse_depth);
-  }
-  return {mean, std::sqrt(std::max(0.0, square - mean * mean))};
-}
-
 std::optional<Eigen::Vector3d> current_position(const Estimate& e, const Landmark& landmark,
                                                 const Feature& feature) {
   if (landmark.fixed) return Eigen::Vector3d(landmark.position);
   if (landmark.form.kind == LandmarkParametrization::Kind::ray) {
-    InverseDepthLandmark::State y;
-    y << e.belief.mean(landmark.block), 1 / depth_of(feature.depths).mean;
+    const auto y = ray_at(landmark, e.belief, 1 / depth_of(feature.depths).mean);
     return InverseDepthLandmark{landmark.form.initial_axes}.point(y).position;
   }
   const auto at = position_of(landmark.form, SmallVector(e.belief.mean(landmark.block)));

@@ -15,6 +15,7 @@
 #include "incognita/slam/features/lasting_errors.hpp"
 #include "incognita/slam/features/patch_plane.hpp"
 #include "incognita/slam/features/settings.hpp"
+#include "incognita/slam/mapper/depth_hypotheses.hpp"
 #include "incognita/slam/mapper/estimate.hpp"
 #include "incognita/vision/descriptor.hpp"
 #include "incognita/vision/patch.hpp"
@@ -31,12 +32,6 @@ struct PatchView {
   Eigen::Vector3d camera_position;  ///< world, m
   Eigen::Vector4d world_from_camera;
   PatchPlane plane;
-};
-
-/// A depth hypothesis on a ray: inverse depth along the initial optical axis, and its probability.
-struct DepthHypothesis {
-  double inverse_depth = 0;
-  double weight = 0;
 };
 
 /// A view under which a landmark was matched, described for relocalization: recognition.hpp.
@@ -162,12 +157,6 @@ Viewpoint viewpoint_of(const SmallVector& state, const AnyMotion& motion, const 
 Viewpoint viewpoint(const Estimate& estimate, const TrackedCamera& camera, const AnyMotion& motion);
 /// The same of a body that is the camera itself.
 Viewpoint viewpoint(const Estimate& estimate, const TrackedCamera& camera);
-
-/// The mean depth of a ray along its initial optical axis, and its standard deviation, m.
-struct RayDepth {
-  double mean = 0, sigma = 0;
-};
-RayDepth depth_of(const std::vector<DepthHypothesis>& hypotheses);
 
 /// World position of a landmark, of a ray at its mean depth; nothing at infinity.
 std::optional<Eigen::Vector3d> current_position(const Estimate& estimate, const Landmark& landmark,

@@ -56,17 +56,10 @@ bool stays_in_view(const Eigen::Vector2d& pixel, const TrackedCamera& tracked) {
   return true;
 }
 
-std::vector<DepthHypothesis> uniform_depths(const InitializationSettings& initialization, double ray_length) {
-  // Settings give depths along the ray, hypotheses along the optical axis (ray_length = |(x, y, 1)|)
-  std::vector<DepthHypothesis> depths(static_cast<std::size_t>(initialization.particles));
-  for (int i = 0; i < initialization.particles; ++i) {
-    const double share =
-        initialization.particles > 1 ? static_cast<double>(i) / (initialization.particles - 1) : 0.5;
-    const double depth =
-        initialization.min_depth_m + share * (initialization.max_depth_m - initialization.min_depth_m);
-    depths[static_cast<std::size_t>(i)] = {ray_length / depth, 1.0 / initialization.particles};
-  }
-  return depths;
+/// Settings give depths along the ray, hypotheses along the optical axis.
+std::vector<DepthHypothesis> depths_on(const InverseDepthLandmark::State& ray,
+                                       const InitializationSettings& initialization) {
+  return uniform_depths(initialization.depth_range(), Eigen::Vector3d(ray[3], ray[4], 1).norm());
 }
 
 /// Occupied pixels: all landmarks predicted in view, rays, and landmarks initialized in this frame. Landmarks that returned and are
@@ -215,9 +208,7 @@ bool initialize_from_image(const ImagePyramid& image, const Eigen::Vector2d& pix
       initialized->world_from_initial_camera};
   Feature feature;
   feature.view = *std::move(view);
-  if (as_line)
-    feature.depths = uniform_depths(
-        initialization, Eigen::Vector3d(initialized->landmark[3], initialized->landmark[4], 1).norm());
+  if (as_line) feature.depths = depths_on(initialized->landmark, initialization);
   camera.features.emplace(landmark.id, std::move(feature));
   add_landmark(estimate, std::move(landmark), on_ray(*initialized, camera, as_line ? 5 : 6));
   return true;

@@ -21,12 +21,6 @@ void serialize(Archive& archive, PatchView& view) {
 }
 
 template <AnyStateArchive Archive>
-void serialize(Archive& archive, DepthHypothesis& hypothesis) {
-  auto& [inverse_depth, weight] = hypothesis;
-  archive(inverse_depth, weight);
-}
-
-template <AnyStateArchive Archive>
 void serialize(Archive& archive, DescribedView::AtScale& described) {
   auto& [scale, descriptor] = described;
   archive(scale, descriptor);

@@ -128,6 +128,8 @@ struct InitializationSettings {
   double max_linearity = 0.1;
   bool second_order = true;
 
+  DepthRange depth_range() const { return {particles, min_depth_m, max_depth_m}; }
+
   static void describe(auto&& setting) {
     using namespace limits;
     using S = InitializationSettings;
@@ -189,7 +191,7 @@ struct MapSettings {
     setting(
         &S::wanted_visible, "wanted_visible", "", between(0, 10000),
         "Number of landmarks expected to match below which new ones are initialized; 0: by the size of the image, 60 "
-        "at 640x480");
+        "at 640x480, and of point landmarks all in view");
     setting(&S::max_landmarks, "max_landmarks", "", between(1, 10000), "Limit of the number of landmarks");
     setting(
         &S::replace_when_full, "replace_when_full", "", any(),

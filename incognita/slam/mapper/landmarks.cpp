@@ -27,6 +27,20 @@ void remove_landmark(Estimate& e, std::int64_t id) {
   e.landmarks.erase(id);
 }
 
+namespace {
+
+/// The landmark of a detection without its depth, which depth lines find.
+void leave_out_depth(AnyInitialization& initialized, SmallMatrix& noise) {
+  constexpr int errors = 5;
+  initialized.form.kind = LandmarkParametrization::Kind::ray;
+  initialized.chart = Chart::line(errors);
+  initialized.landmark.conservativeResize(errors);
+  initialized.Jv.conservativeResize(errors, Eigen::NoChange);
+  noise.conservativeResize(errors, errors);
+}
+
+}  // namespace
+
 bool initialize_from_detection(Estimate& e, int body, const PointDetection& detection,
                                const EstimatorSettings& settings) {
   const Body& viewer = e.bodies[static_cast<std::size_t>(body)];
@@ -53,6 +67,7 @@ bool initialize_from_detection(Estimate& e, int body, const PointDetection& dete
   // The initial position duplicates that of the body: regularization keeps the covariance positive definite
   if (initialization->form.kind == LandmarkParametrization::Kind::inverse_depth)
     noise.diagonal().head(initialization->landmark.size() == 4 ? 2 : 3).array() += 1e-8;
+  if (settings.depth_lines) leave_out_depth(*initialization, noise);
   Landmark landmark;
   landmark.id = detection.identity;
   landmark.form = initialization->form;
@@ -77,7 +92,7 @@ void convert_converged_inverse_depths(Estimate& e, const EstimatorSettings& sett
     const auto at = next++;
     Landmark& landmark = at->second;
     if (landmark.fixed || landmark.camera >= 0) continue;
-    if (landmark.form.kind == LandmarkParametrization::Kind::point) continue;
+    if (landmark.form.kind != LandmarkParametrization::Kind::inverse_depth) continue;
     const SmallVector mean = e.belief.mean(landmark.block);
     const Eigen::Index last = mean.size() - 1;
     if (mean[last] < 0) {

@@ -27,8 +27,8 @@ void convert_to_point(AnyBelief& belief, Landmark& landmark, const SmallVector& 
 /// Removes the landmark from belief and map.
 void remove_landmark(Estimate& estimate, std::int64_t id);
 
-/// Adds the landmark of a detection by a point sensor under the identity of the detection. False when the detection does
-/// not define one.
+/// Adds the landmark of a detection by a point sensor under the identity of the detection, with EstimatorSettings::depth_lines
+/// as a ray. False when the detection does not define one.
 bool initialize_from_detection(Estimate& estimate, int body, const PointDetection& detection,
                                const EstimatorSettings& settings);
 

@@ -114,7 +114,7 @@ SmallMatrix detection_noise(const PointSensor& sensor, const SmallVector& z) {
 }
 
 bool is_measurable(const Landmark& landmark, const AnySensor& sensor) {
-  if (landmark.camera >= 0) return false;
+  if (landmark.camera >= 0 || landmark.form.kind == LandmarkParametrization::Kind::ray) return false;
   const int dimensions = dimensions_of(sensor);
   if (landmark.fixed) return landmark.position.size() == dimensions;
   const auto numbers = landmark.first.size();

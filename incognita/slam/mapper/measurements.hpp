@@ -23,7 +23,7 @@ const PointSensor& sensor_of(const EstimatorSettings& settings, int body, int se
 /// Covariance R of a measurement.
 SmallMatrix detection_noise(const PointSensor& sensor, const SmallVector& z);
 
-/// Whether a sensor can measure a landmark: its points have as many coordinates, and no camera tracks it.
+/// Whether a sensor can measure a landmark: its points have as many coordinates, no camera tracks it, and it is no ray.
 bool is_measurable(const Landmark& landmark, const AnySensor& sensor);
 
 /// The predicted measurement of a landmark or anchor within range and field of view of a point sensor; nothing outside.

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "incognita/slam/mapper/depth_hypotheses.hpp"
 #include "incognita/slam/mapper/entropy.hpp"
 
 namespace incognita {
@@ -106,6 +107,11 @@ void estimate_state(StateArchive& archive, Estimate& estimate) {
   last = {};
   timing_ms.clear();
   if (started) check_blocks(estimate);
+}
+
+void DepthHypothesis::state(StateArchive& archive) {
+  auto& [inverse_depth_, weight_] = *this;
+  archive(inverse_depth_, weight_);
 }
 
 void RunningEntropy::state(StateArchive& archive) {

@@ -166,6 +166,21 @@ struct PruningSettings {
   }
 };
 
+/// The depth hypotheses of a new ray: depth_hypotheses.hpp.
+struct DepthRange {
+  int count = 100;
+  double min_m = 0.5, max_m = 5;  ///< along the ray
+
+  double spacing_m() const { return (max_m - min_m) / count; }
+};
+
+/// Delayed initialization of the landmarks that a camera detects as points: depth_lines.hpp.
+struct DepthLineSettings {
+  DepthRange range = {};
+  double depth_ratio = 0.3;  ///< of the sigma of a depth to the depth; below, the landmark enters the map
+  int max_failures = 10;     ///< consecutive ticks without a match, after which a line is dropped
+};
+
 /// Limits beyond which the estimate is degraded or lost, and the search after that.
 struct HealthSettings {
   /// Of the position of any body in the world; beyond: lost. None by default: without a target, anchors or fixes that
@@ -233,6 +248,11 @@ struct EstimatorSettings {
   DataAssociationSettings association = {.method = DataAssociationSettings::Method::known,
                                          .initialization_distance_m = 0};
   PruningSettings pruning = {};
+  /// Of cameras that detect points. None: their landmarks enter the map at once, by their inverse depths.
+  std::optional<DepthLineSettings> depth_lines = {};
+  /// Landmarks that a camera is expected to detect, anchors and depth lines included, below which new ones are initialized; 0:
+  /// all are.
+  int wanted_visible = 0;
   HealthSettings health = {};
   /// Whether detections of anchors carry their identity. If not, anchors are associated like other landmarks.
   bool anchors_have_identity = true;

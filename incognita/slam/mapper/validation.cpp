@@ -114,6 +114,18 @@ std::string validate_association(const EstimatorSettings& s) {
   return "";
 }
 
+/// Lines are for landmarks whose detections have no depth.
+std::string validate_depth_lines(const PointSensor& sensor, const EstimatorSettings& s) {
+  if (!s.depth_lines) return "";
+  if (dimensions_of(sensor.sensor) != 3 || measures_distance(sensor.sensor))
+    return "landmark_initialization.method = `depth-line` is for monocular cameras, whose detections have no depth";
+  const DepthLineSettings& lines = *s.depth_lines;
+  if (lines.range.count < 2 || !(0 < lines.range.min_m && lines.range.min_m < lines.range.max_m) ||
+      !(lines.depth_ratio > 0) || lines.max_failures < 1)
+    return "depth lines need two hypotheses or more at increasing, positive depths, and positive limits";
+  return "";
+}
+
 std::string validate_anchors(const PointSensor& sensor, const EstimatorSettings& s) {
   for (const auto& [id, anchor] : s.anchors)
     if (anchor.size() != dimensions_of(sensor.sensor))
@@ -124,7 +136,8 @@ std::string validate_anchors(const PointSensor& sensor, const EstimatorSettings&
 std::string validate_body(const BodyModel& b, const EstimatorSettings& s) {
   if (const std::string problem = validate_sizes(b); !problem.empty()) return problem;
   for (const PointSensor& sensor : b.sensors)
-    for (const std::string& problem : {validate_sensor(b, sensor), validate_anchors(sensor, s)})
+    for (const std::string& problem :
+         {validate_sensor(b, sensor), validate_anchors(sensor, s), validate_depth_lines(sensor, s)})
       if (!problem.empty()) return problem;
   if (s.filter.linearization == Linearization::first_estimate &&
       !(is_planar(b) && measures_points_of_plane(b)))

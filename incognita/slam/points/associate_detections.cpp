@@ -7,6 +7,7 @@
 #include "incognita/math/gaussian.hpp"
 #include "incognita/slam/mapper/landmarks.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
+#include "incognita/slam/points/choose_candidates.hpp"
 #include "incognita/slam/points/view_association.hpp"
 
 namespace incognita {
@@ -156,7 +157,7 @@ void append_relinearized(const Estimate& e, const Inliers& inliers, const Estima
 
 void initialize_candidates(Estimate& e, const Inliers& inliers, const EstimatorSettings& settings) {
   const bool by_identity = settings.association.method == DataAssociationSettings::Method::known;
-  for (const std::size_t index : inliers.candidates) {
+  for (const std::size_t index : chosen_candidates(e, inliers.candidates, settings)) {
     Match& match = e.last.matches[index];
     const std::int64_t id = by_identity ? match.id : new_id(e);
     if (e.landmarks.count(id) > 0) continue;  // already initialized by another body

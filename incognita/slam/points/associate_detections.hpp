@@ -33,7 +33,7 @@ void associate_detections(Estimate& estimate, const Observation& observation,
 void append_relinearized(const Estimate& estimate, const Inliers& inliers, const EstimatorSettings& settings,
                          std::vector<LinearizedMeasurement>& measurements);
 
-/// Adds the candidates to the map.
+/// Adds the candidates to the map or, of a camera, those that are chosen: choose_candidates.hpp.
 void initialize_candidates(Estimate& estimate, const Inliers& inliers, const EstimatorSettings& settings);
 
 }  // namespace incognita

@@ -23,7 +23,7 @@ struct Covered {
 /// A plane rectangle relative to the camera: all quantities of a surface that are the same for all rays.
 class Plane {
  public:
-  Plane(const Surface& surface, int axis, float distance, const Eigen::Vector3d& position)
+  Plane(const RoomSurface& surface, int axis, float distance, const Eigen::Vector3d& position)
       : axis_(axis), a_(across_of[axis]), b_(down_of[axis]), distance_(distance) {
     u_per_m_ = surface.u_per_m;
     v_per_m_ = surface.v_per_m;

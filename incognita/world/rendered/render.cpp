@@ -56,7 +56,7 @@ struct VisibleParts {
   float nearness = 0;  ///< on uneven ground: 1 / ray parameter, which is affine over the pixels of a plane
 };
 
-inline int lit(int gray, const Surface& surface) {
+inline int lit(int gray, const RoomSurface& surface) {
   return std::min(static_cast<int>(static_cast<float>(gray) * surface.light), 255 * 256);
 }
 
@@ -234,7 +234,7 @@ void Picture::draw_rays(std::size_t first, int count, const TileView& view, std:
 
 /// Fast path for tiles that see only one wall: computes a row of pixels at once.
 void Picture::draw_wall(std::size_t first, int count, const TileView& view, std::uint8_t* pixels) {
-  const Surface& surface = room_.walls()[view.wall];
+  const RoomSurface& surface = room_.walls()[view.wall];
   const Plane plane(surface, view.wall / 2, distance_to({0, view.wall, -1}), position_);
   const auto covered = plane.covered<tile_px>(r_, &rays_.x[first], &rays_.y[first], &rays_.footprint[first]);
   for (int i = 0; i < count; ++i) {
@@ -296,7 +296,7 @@ int Picture::mean_of_four(std::size_t at, const TileView& view) const {
 /// The floor's texture where a ray along `d` meets uneven ground at `t`, projected and lit from above.
 int Picture::ground_gray(const Direction& d, float t, float footprint) const {
   constexpr float lamp_x = 0.35f, lamp_y = 0.2f;  // light direction, relative to its upward component
-  const Surface& floor = room_.walls()[floor_wall];
+  const RoomSurface& floor = room_.walls()[floor_wall];
   const float x = eye_[0] + t * d[0], y = eye_[1] + t * d[1];
   const Ground::HeightAndSlope at = room_.ground()->at(x, y);
   // As Plane::covered with the local slope: the closing rate takes the place of the normal component
@@ -325,7 +325,7 @@ inline int Picture::gray(float x, float y, float footprint, const TileView& view
     }
   }
   visible = {static_cast<std::uint8_t>((hit.box + 1) * 6 + hit.surface), 0};
-  const Surface& surface = (hit.box < 0 ? room_.walls() : room_.box_surfaces(hit.box))[hit.surface];
+  const RoomSurface& surface = (hit.box < 0 ? room_.walls() : room_.box_surfaces(hit.box))[hit.surface];
   const Plane plane(surface, hit.surface / 2, distance_to(hit), position_);
   const int paint = sample(surface.texture, plane.covered<1>(r_, &x, &y, &footprint), 0);
   const bool sheet = view.sheet && hit.box < 0 && hit.surface == sheet_wall;

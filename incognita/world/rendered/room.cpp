@@ -21,9 +21,9 @@ double texel_size(const Box& box, double wanted_m, double ratio) {
 }
 
 /// Maps a texture onto one side of a box. `mirrored`: its columns run against the axis.
-Surface lay(const Canvas& canvas, const Box& box, int axis, bool mirrored, float light) {
+RoomSurface lay(const Canvas& canvas, const Box& box, int axis, bool mirrored, float light) {
   const int across = axis == 0 ? 1 : 0, down = axis == 2 ? 1 : 2;
-  Surface s;
+  RoomSurface s;
   s.texture = Texture(canvas.image());
   s.light = light;
   const double u_per_m = s.texture.width() / (box.max[across] - box.min[across]) * (mirrored ? -1 : 1);

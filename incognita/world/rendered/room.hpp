@@ -13,7 +13,7 @@
 namespace incognita {
 
 /// One axis-aligned flat surface. Its texture is not mirrored when seen from the front.
-struct Surface {
+struct RoomSurface {
   Texture texture;
   /// Texel coordinates of a point P: u = u_per_m * P[a] + u_at_0 and v = v_per_m * P[b] + v_at_0, with a, b
   /// the two in-plane axes in rising order.
@@ -22,7 +22,7 @@ struct Surface {
 };
 
 /// Six surfaces of a box: index 2 * axis + 1 is the upper end of the axis, 2 * axis the lower end.
-using Surfaces = std::array<Surface, 6>;
+using Surfaces = std::array<RoomSurface, 6>;
 
 class Room {
  public:

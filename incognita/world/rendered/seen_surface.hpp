@@ -18,8 +18,6 @@ class SeenSurface {
   /// `readout_s`: of a rolling shutter, else 0. `pose_at`: as RoomCamera::follow(); empty without.
   SeenSurface(std::shared_ptr<const Room> room, Camera camera, double readout_s, PoseAtTime pose_at = {});
 
-  const Room& room() const { return *room_; }
-
   /// Where the true ray of a pixel meets the room, m: from the true pose of the camera when it exposed the row of that pixel.
   /// Nothing if no ray maps to the pixel, or if the camera is outside of the room or has no true pose.
   std::optional<Eigen::Vector3d> at(const Eigen::Vector2d& pixel, const BodyTruth& body,

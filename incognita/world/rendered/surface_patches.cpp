@@ -16,10 +16,9 @@ namespace {
 constexpr double sample_m = 0.1;                    // between the points at which visibility is found
 constexpr double least_share = 0.5;                 // of a patch, that must be visible
 constexpr double least_sine = 0.17364817766693033;  // of 10 degrees, between ray and surface
-constexpr double least_contrast_gray = 2;           // standard deviation: that of the image noise
 constexpr double on_surface_m = 1e-3;
 constexpr double grid_m = 0.5;  // of the grid of camera positions
-constexpr int floor_side = 4;   // index of Surfaces
+constexpr int floor_side = 4;   // index of a side as of Surfaces
 
 int parts_of(double length_m, double size_m) {
   return std::max(1, static_cast<int>(std::lround(length_m / size_m)));
@@ -29,26 +28,6 @@ bool is_on_sheet(const Sheet& sheet, const Eigen::Vector3d& p) {
   return std::abs(p.x() - sheet.x) <= on_surface_m && std::abs(p.y() - sheet.y) <= sheet.width / 2 &&
          std::abs(p.z() - sheet.z) <= sheet.height / 2;
 }
-
-/// Gray level of the paint at a point of a surface across an axis.
-double gray_at(const Surface& surface, int axis, const Eigen::Vector3d& p) {
-  const double u = surface.u_per_m * p[across_of[axis]] + surface.u_at_0,
-               v = surface.v_per_m * p[down_of[axis]] + surface.v_at_0;
-  return surface.texture.sample(static_cast<int>(256 * u), static_cast<int>(256 * v), 1) / 256.0;
-}
-
-/// Of gray levels.
-struct Contrast {
-  int count = 0;
-  double sum = 0, squares = 0;
-
-  void add(double gray) {
-    ++count;
-    sum += gray;
-    squares += gray * gray;
-  }
-  double variance() const { return squares / count - sum / count * (sum / count); }
-};
 
 /// From one end to the other at equal steps of at most `grid_m`; the middle alone if there is no room.
 std::vector<double> steps_between(double low, double high) {
@@ -66,21 +45,19 @@ SurfacePatches::SurfacePatches(std::shared_ptr<const Room> room, const std::vect
     : room_(std::move(room)) {
   if (!(size_m > 0))
     throw std::invalid_argument("the size of a patch must be positive, got " + std::to_string(size_m));
-  add_sides(room_->layout().inside, room_->walls(), true, size_m);
-  for (std::size_t i = 0; i < room_->layout().boxes.size(); ++i)
-    add_sides(room_->layout().boxes[i], room_->box_surfaces(i), false, size_m);
+  add_sides(room_->layout().inside, true, size_m);
+  for (const Box& box : room_->layout().boxes) add_sides(box, false, size_m);
   for (DividedSide& side : sides_) count_patches(side, cameras);
 }
 
-void SurfacePatches::add_sides(const Box& box, const Surfaces& surfaces, bool from_inside, double size_m) {
-  for (int index = 0; index < static_cast<int>(surfaces.size()); ++index) {
+void SurfacePatches::add_sides(const Box& box, bool from_inside, double size_m) {
+  for (int index = 0; index < 6; ++index) {
     const bool upper = index % 2;
     DividedSide side;
     side.axis = index / 2;
     side.at = (upper ? box.max : box.min)[side.axis];
     side.faces_up = upper != from_inside;
     side.is_ground = from_inside && index == floor_side && room_->ground();
-    side.surface = &surfaces[index];
     const int a = across_of[side.axis], b = down_of[side.axis];
     side.min = {box.min[a], box.min[b]};
     side.max = {box.max[a], box.max[b]};
@@ -109,21 +86,14 @@ double SurfacePatches::area_that_counts(const DividedSide& side, const Eigen::Ve
             rows = static_cast<int>(std::ceil(size.y() / sample_m)), points = columns * rows;
   const Eigen::Vector2d step = size.array() / Eigen::Array2d(columns, rows);
   int visible = 0;
-  Contrast contrast;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const Eigen::Vector2d middle = min + step.cwiseProduct(Eigen::Vector2d(column + 0.5, row + 0.5));
       const Eigen::Vector3d point = point_on(side, middle);
       if (is_on_sheet(room_->layout().sheet, point) || !is_visible(side, point, cameras)) continue;
       ++visible;
-      for (const double du : {-0.25, 0.25})
-        for (const double dv : {-0.25, 0.25})
-          contrast.add(gray_at(*side.surface, side.axis,
-                               point_on(side, middle + step.cwiseProduct(Eigen::Vector2d(du, dv)))));
     }
-  const bool counts = visible > 0 && visible >= least_share * points &&
-                      contrast.variance() >= least_contrast_gray * least_contrast_gray;
-  return counts ? size.prod() * visible / points : 0;
+  return visible >= least_share * points ? size.prod() * visible / points : 0;
 }
 
 Eigen::Vector3d SurfacePatches::point_on(const DividedSide& side, const Eigen::Vector2d& at) const {

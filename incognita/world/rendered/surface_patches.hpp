@@ -1,11 +1,11 @@
 // The textured surfaces of the rendered room, divided into patches: what there is to be mapped.
 //
 // Each wall, the floor, the ceiling and each side of a box is divided into equal rectangles whose sides are as near to a given
-// size as a whole number of them allows. A patch counts if a camera can see at least half of it, and if what is seen carries
-// texture; the target's sheet is no part of any patch, since its corners are known from the start. What is seen is found at
-// points about 10 cm apart: a point is visible if from one of the given positions of a camera, which span the free space, the
-// ray to it meets nothing before, at 10 degrees or more to the surface. Thus the wall behind a box, the floor under it, and the
-// top of a box above a camera on a vehicle do not count.
+// size as a whole number of them allows. All of them are painted. A patch counts if a camera can see at least half of it; the
+// target's sheet is no part of any patch, since its corners are known from the start. What is seen is found at points about
+// 10 cm apart: a point is visible if from one of the given positions of a camera, which span the free space, the ray to it meets
+// nothing before, at 10 degrees or more to the surface. Thus the wall behind a box, the floor under it, and the top of a box
+// above a camera on a vehicle do not count.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,8 +21,8 @@ namespace incognita {
 
 class SurfacePatches {
  public:
-  /// Side of a patch, m. A map of a few hundred landmarks, as the program makes it of a room, has a landmark on most patches of
-  /// the walls that were in view; with half that side on about half of them.
+  /// Side of a patch, m: the spacing of landmarks at which a surface counts as mapped. Finer patches would measure how many
+  /// landmarks the map has rather than how much of the room is in it: docs/active-navigation.md.
   static constexpr double usual_size_m = 1;
 
   /// `cameras`: positions of a camera in the free space. Throws std::invalid_argument for a size that is not positive.
@@ -43,13 +43,12 @@ class SurfacePatches {
     double at = 0;           ///< position on that axis, m; not used for uneven ground
     bool faces_up = false;   ///< the visible side faces the upper end of the axis
     bool is_ground = false;  ///< uneven
-    const Surface* surface = nullptr;
     Eigen::Vector2d min{0, 0}, max{0, 0};
     int columns = 1, rows = 1;
     std::vector<int> patches = {};  ///< row by row the index in areas_m2_; -1: the patch does not count
   };
 
-  void add_sides(const Box& box, const Surfaces& surfaces, bool from_inside, double size_m);
+  void add_sides(const Box& box, bool from_inside, double size_m);
   void count_patches(DividedSide& side, const std::vector<Eigen::Vector3d>& cameras);
   double area_that_counts(const DividedSide& side, const Eigen::Vector2d& min, const Eigen::Vector2d& size,
                           const std::vector<Eigen::Vector3d>& cameras) const;

@@ -34,9 +34,11 @@ test('the end of a replay has the numbers of the run directory', async (t) => {
   await seek(page, end);
 
   assert.equal(await fact(page, 'time'), `${end.toFixed(2)} s`);
-  const { entropy, landmarks, state } = await page.evaluate(() => window.incognita.snapshot);
+  const { entropy, landmarks, mapped, state } = await page.evaluate(() => window.incognita.snapshot);
   assert.equal(state, 'tracking');
   for (const name of ['vehicle', 'map', 'total']) close(entropy[name], summary.entropy[name], `entropy of the ${name}`);
+  close(mapped, summary.exploration.mapped, 'mapped share');
+  assert.equal(await page.locator('.entropies .plot-host:visible').count(), 2, 'entropies and mapped share');
   const map = table(folder, 'map.csv');
   await page.waitForFunction((count) => window.incognita.landmarkCount() === count, map.filter(({ kind }) => kind === 'landmark').length);
   assert.deepEqual(landmarks.map(({ id }) => id), map.map(({ id }) => id));

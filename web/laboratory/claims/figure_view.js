@@ -23,14 +23,14 @@ function links(figure) {
  * @param {Figure} figure @param {string} exampleTitle
  */
 export function openFigure(figure, exampleTitle) {
-  const dialog = byId('figure-dialog', HTMLDialogElement);
+  const dialog = byId('dialog', HTMLDialogElement);
   dialog.replaceChildren(
     element(
       'header',
       {},
       element(
         'h2',
-        { id: 'figure-title' },
+        { id: 'dialog-title' },
         titleOf(figure),
         element('span', { class: 'muted' }, ` ${exampleTitle}`),
       ),

@@ -1,6 +1,8 @@
 // The ledger as the page works with it: claims with their chapters and a text to search in, and the filter on
 // them.
 import { folded, matches, termsOf } from './search.js';
+import { byChapter, chapterOf } from './source.js';
+/** @typedef {import('./types.js').Claim} Claim */
 /** @typedef {import('./types.js').Entry} Entry */
 /** @typedef {import('./types.js').Filter} Filter */
 /** @typedef {import('./types.js').IndexedClaim} IndexedClaim */
@@ -9,19 +11,48 @@ import { folded, matches, termsOf } from './search.js';
 /**
  * The chapters that a place in the thesis names ("(3.8), Example 3.1" is in 3), else those of the example's
  * id.
- * @param {string} place @param {string} exampleId @returns {number[]}
+ * @param {string} place @param {string} exampleId @returns {string[]}
  */
 export function chaptersOf(place, exampleId) {
-  /** @type {Set<number>} */
+  /** @type {Set<string>} */
   const chapters = new Set();
-  for (const [, chapter] of place.matchAll(/(?:^|[\s(])(\d)\.\d/g)) chapters.add(Number(chapter));
+  for (const [, chapter] of place.matchAll(/(?:^|[\s(])(\d)\.\d/g)) chapters.add(chapter);
   for (const [, first, last] of place.matchAll(/Chapters? (\d)(?: (?:and|to) (\d))?/g))
-    for (const chapter of [first, last]) if (chapter) chapters.add(Number(chapter));
+    for (const chapter of [first, last]) if (chapter) chapters.add(chapter);
+  for (const [, letter] of place.matchAll(/Appendix ([A-Z])\b/g)) chapters.add(letter);
   if (chapters.size === 0) {
     const [, named] = exampleId.match(/^(?:text-)?(\d)/) ?? [];
-    if (named) chapters.add(Number(named));
+    if (named) chapters.add(named);
   }
-  return [...chapters].sort();
+  return [...chapters].sort(byChapter);
+}
+
+/** @param {LedgerEntry} entry @param {Claim} claim @returns {IndexedClaim} */
+function indexed(entry, claim) {
+  const { id, place, section, quotation, statement, printed, measured, number, why, headline } = claim;
+  return {
+    ...claim,
+    // One of the thesis is counted once, in the chapter of its quotation
+    chapters: section ? [chapterOf(section)] : chaptersOf(place, entry.id),
+    searched: folded(
+      [
+        id,
+        place,
+        section,
+        quotation,
+        statement,
+        printed,
+        measured,
+        number?.what,
+        why,
+        headline,
+        entry.id,
+        entry.title,
+      ]
+        .filter(Boolean)
+        .join('\n'),
+    ),
+  };
 }
 
 /**
@@ -33,35 +64,31 @@ export function readLedger(document) {
   return document.map((/** @type {LedgerEntry} */ entry) => ({
     ...entry,
     figures: entry.figures ?? [],
-    claims: (entry.claims ?? []).map((claim) => ({
-      ...claim,
-      chapters: chaptersOf(claim.place, entry.id),
-      searched: folded(
-        [
-          claim.id,
-          claim.place,
-          claim.statement,
-          claim.printed,
-          claim.measured,
-          claim.why,
-          entry.id,
-          entry.title,
-        ].join('\n'),
-      ),
-    })),
+    claims: (entry.claims ?? []).map((claim) => {
+      if (!claim.finding || !claim.origin)
+        throw new Error(`claims.json is of an earlier program: ${claim.id} has no finding or origin`);
+      return indexed(entry, claim);
+    }),
   }));
 }
 
 /** @type {Filter} */
-export const noFilter = { verdicts: [], chapters: [], search: '' };
+export const noFilter = { findings: [], chapters: [], rule: '', origin: '', search: '' };
 
 /** @param {IndexedClaim} claim @param {Filter} filter @param {string[]} [terms] @returns {boolean} */
 export function passes(claim, filter, terms = termsOf(filter.search)) {
   return (
-    (filter.verdicts.length === 0 || filter.verdicts.includes(claim.verdict)) &&
+    (filter.findings.length === 0 || filter.findings.includes(claim.finding)) &&
     (filter.chapters.length === 0 || claim.chapters.some((chapter) => filter.chapters.includes(chapter))) &&
+    (filter.rule === '' || filter.rule === claim.rule) &&
+    (filter.origin === '' || filter.origin === claim.origin) &&
     matches(claim.searched, terms)
   );
+}
+
+/** Whether all claims pass. @param {Filter} filter @returns {boolean} */
+export function isEmpty({ findings, chapters, rule, origin, search }) {
+  return findings.length + chapters.length + termsOf(search).length === 0 && rule === '' && origin === '';
 }
 
 /**
@@ -70,21 +97,24 @@ export function passes(claim, filter, terms = termsOf(filter.search)) {
  */
 export function filtered(entries, filter) {
   const terms = termsOf(filter.search);
-  const all = terms.length + filter.verdicts.length + filter.chapters.length === 0;
+  const all = isEmpty(filter);
   return entries
     .map((entry) => ({ ...entry, claims: entry.claims.filter((claim) => passes(claim, filter, terms)) }))
     .filter((entry) => all || entry.claims.length > 0);
 }
 
 /**
- * What the buttons count: each verdict among the claims that pass the rest of the filter.
+ * What the buttons count: each finding among the claims that pass the rest of the filter.
  * @param {Entry[]} entries @param {Filter} filter @returns {IndexedClaim[]}
  */
 export function claimsForCounts(entries, filter) {
-  return filtered(entries, { ...filter, verdicts: [] }).flatMap((entry) => entry.claims);
+  return allClaims(filtered(entries, { ...filter, findings: [] }));
 }
 
-/** @param {Entry[]} entries @returns {number[]} */
+/** @param {Entry[]} entries @returns {IndexedClaim[]} */
+export const allClaims = (entries) => entries.flatMap((entry) => entry.claims);
+
+/** In the order of the thesis. @param {Entry[]} entries @returns {string[]} */
 export function allChapters(entries) {
-  return [...new Set(entries.flatMap((entry) => entry.claims.flatMap((claim) => claim.chapters)))].sort();
+  return [...new Set(allClaims(entries).flatMap((claim) => claim.chapters))].sort(byChapter);
 }

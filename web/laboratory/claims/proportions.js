@@ -1,16 +1,16 @@
-// A bar with a part per verdict, as long as its share. It repeats counts that stand in words elsewhere.
+// A bar with a part per finding, as long as its share. It repeats counts that stand in words elsewhere.
 import { element } from '../shared/elements.js';
-/** @typedef {import('./types.js').VerdictCount} VerdictCount */
+/** @typedef {import('./types.js').FindingCount} FindingCount */
 
-/** @param {VerdictCount[]} counts @returns {HTMLElement} */
+/** @param {FindingCount[]} counts @returns {HTMLElement} */
 export function proportions(counts) {
   const present = counts.filter(({ count }) => count > 0);
-  const words = present.map(({ verdict, count }) => `${count} ${verdict.words}`).join(', ');
+  const words = present.map(({ finding, count }) => `${count} ${finding.words}`).join(', ');
   return element(
     'span',
     { class: 'proportions', role: 'img', 'aria-label': words || 'no claims', title: words },
-    present.map(({ verdict, count }) =>
-      element('span', { class: `verdict-${verdict.id}`, style: `flex-grow:${count}` }),
+    present.map(({ finding, count }) =>
+      element('span', { class: `finding-${finding.id}`, style: `flex-grow:${count}` }),
     ),
   );
 }

@@ -17,13 +17,16 @@ function launched() {
 
 after(async () => (await browser)?.close());
 
+/** Whether the live page shows a frame and has loaded the scene. */
+const showsFrame = () => window.incognita?.snapshot && window.incognita.scenes()[0];
+
 /**
- * Opens the page and waits until it shows a frame and has loaded the scene. After the test there must be no error.
+ * Opens the page and waits until it is ready. After the test there must be no error.
  * @param {import('node:test').TestContext} t @param {string} address
- * @param {{width?: number, height?: number, theme?: 'light' | 'dark', tolerate?: RegExp}} [options] tolerate: errors that the
- *   test causes
+ * @param {{width?: number, height?: number, theme?: 'light' | 'dark', tolerate?: RegExp, ready?: () => unknown}} [options]
+ *   tolerate: errors that the test causes; ready: whether the page shows what it is for, the live page's by default
  */
-export async function openPage(t, address, { width = 1280, height = 720, theme = 'light', tolerate } = {}) {
+export async function openPage(t, address, { width = 1280, height = 720, theme = 'light', tolerate, ready = showsFrame } = {}) {
   const context = await (await launched()).newContext({ viewport: { width, height }, colorScheme: theme });
   const page = await context.newPage();
   page.setDefaultTimeout(LIMIT_MS);
@@ -36,7 +39,7 @@ export async function openPage(t, address, { width = 1280, height = 720, theme =
     assert.deepEqual(errors.filter((text) => !tolerate?.test(text)), [], 'errors in the page');
   });
   await page.goto(address);
-  await page.waitForFunction(() => window.incognita?.snapshot && window.incognita.scenes()[0]);
+  await page.waitForFunction(ready);
   return page;
 }
 

@@ -1,0 +1,281 @@
+#include "experiments/exploring_claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace incognita::exploring {
+namespace {
+
+const char* const round_trip =
+    "decision.sequence=go_forward go_forward go_forward go_left go_left go_left go_backwards go_backwards "
+    "go_backwards go_right go_right go_right";
+
+const char* const to_and_fro = "decision.sequence=faster stay stay stay slower slower stay stay stay faster";
+
+/// One quantity of ours beside that of a rival.
+struct Rivalry {
+  std::string rival;
+  Interval difference;
+  Answer ours_less;
+};
+
+/// `compared with standing; not compared with a fixed path`.
+std::string compared_with(const std::vector<Rivalry>& all) {
+  std::vector<std::string> parts;
+  for (const auto& [answer, begin] : {std::pair{Answer::shown, "compared with "},
+                                      {Answer::refuted, "not compared with "},
+                                      {Answer::undecided, "undecided compared with "}}) {
+    std::vector<std::string> names;
+    for (const Rivalry& one : all)
+      if (one.ours_less == answer) names.push_back(one.rival);
+    if (!names.empty()) parts.push_back(fmt::format("{}{}", begin, fmt::join(names, ", ")));
+  }
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// The claim that ours is less than each rival's: less than some, if it is not than the others.
+Claim less_than_each(const std::string& id, const std::string& place, const std::string& statement,
+                     const std::string& what, const std::string& unit, const std::vector<Rivalry>& all,
+                     const Runs& ours) {
+  Answer than_each = Answer::shown, than_some = Answer::refuted;
+  std::string measured = what;
+  for (const Rivalry& one : all) {
+    than_each = than_each && one.ours_less;
+    than_some = than_some || one.ours_less;
+    measured +=
+        fmt::format("{} {}: {}", &one == &all.front() ? "" : ";", one.rival, text(one.difference, unit));
+  }
+  return assessed(id, place, statement,
+                  {.rule = Rule::superiority,
+                   .measured = measured,
+                   .number = ClaimNumber{what + " " + all.front().rival, all.front().difference, unit},
+                   .why = compared_with(all),
+                   .seeds = ours.size()},
+                  than_each,
+                  than_some == Answer::shown ? on_condition(than_some) : in_truth(Answer::refuted));
+}
+
+Claim less_entropy(const Common& common, const std::string& who, const Runs& ours,
+                   const std::vector<Runs>& rivals) {
+  std::vector<Rivalry> all;
+  for (const Runs& rival : rivals) {
+    const Interval gap = more_than(rival, ours, final_entropy);
+    all.push_back({rival.name, gap, is_below(gap, 0)});
+  }
+  return less_than_each(
+      common.id + "-entropy", common.place,
+      who + " leaves less entropy than every other strategy that is compared, " + common.world,
+      "entropy less that of", "nats", all, ours);
+}
+
+Claim smaller_errors(const Common& common, const std::string& who, const Runs& ours,
+                     const std::vector<Runs>& rivals) {
+  std::vector<Rivalry> all;
+  for (const Runs& rival : rivals) {
+    const Interval factor = times(rival, ours, &Run::position_rms_m);
+    all.push_back({rival.name, factor, is_below(factor, 1)});
+  }
+  return less_than_each(
+      common.id + "-errors", common.place,
+      who + " localizes better (rms position error of a run) than every other strategy that is compared, " +
+          common.world,
+      "position error over that of", "", all, ours);
+}
+
+/// The interval of `of` of the runs of (iii) less that of each other gaze, in words, and whether both are on
+/// that side of zero.
+struct ThirdLess {
+  std::string text;
+  Interval first;
+  Answer both_below, both_above;
+};
+
+template <class Of>
+ThirdLess third_less(const std::vector<Runs>& runs, const Of& of, const std::string& unit) {
+  const Interval i = more_than(runs[0], runs[2], of), ii = more_than(runs[1], runs[2], of);
+  return {fmt::format("(iii) less (i): {}, less (ii): {}", text(i, unit), text(ii, unit)), i,
+          is_below(i, 0) && is_below(ii, 0), is_above(i, 0) && is_above(ii, 0)};
+}
+
+Claim more_accurate_gaze(const Common& common, const std::vector<Runs>& runs) {
+  const Interval to_i = times(runs[0], runs[2], &Run::position_rms_m),
+                 to_ii = times(runs[1], runs[2], &Run::position_rms_m);
+  return assessed(
+      common.id + "-gaze-errors", common.place + ", Figure 6.5",
+      "Gaze by (6.8) localizes better than a constant rate and than mutual information, " + common.world,
+      {.rule = Rule::superiority,
+       .measured = {"rms position error over that of (i): {}; of (ii): {}; diverged {}, {} and {}",
+                    text(to_i), text(to_ii), diverged_of(runs[0]), diverged_of(runs[1]),
+                    diverged_of(runs[2])},
+       .number = ClaimNumber{"position error of (iii) over that of (i)", to_i},
+       .seeds = runs[2].size()},
+      is_below(to_i, 1) && is_below(to_ii, 1));
+}
+
+Claim lower_at_the_14th(const Common& common, const std::vector<Runs>& runs) {
+  const ThirdLess entropy = third_less(runs, entropy_at_the_14th, "nats");
+  const auto pairs = [&](const Runs& other) {
+    return less(each(runs[2], entropy_at_the_14th), each(other, entropy_at_the_14th)).size();
+  };
+  return assessed(
+      common.id + "-14th-entropy", common.place + ", Figure 6.4",
+      "With the same number of landmarks gaze by (6.8) has the lower entropy: at the 14th landmark "
+      "below those of a constant rate and of mutual information, " +
+          common.world,
+      {.rule = Rule::superiority,
+       .printed = "-530, -550 and -610",
+       .measured = entropy.text,
+       .number = ClaimNumber{"entropy of (iii) at the 14th landmark less that of (i)", entropy.first, "nats"},
+       .seeds = std::min(pairs(runs[0]), pairs(runs[1]))},
+      entropy.both_below);
+}
+
+Claim later_14th(const Common& common, const std::vector<Runs>& runs) {
+  const auto at = [](const Run& run) { return run.located_at_s(14).value_or(std::nan("")); };
+  const ThirdLess time = third_less(runs, at, "s");
+  std::string medians;
+  for (const Runs& one : runs)
+    medians +=
+        fmt::format("{}{}", medians.empty() ? "" : ", ", decimals(median_of(each(one, time_of_the_14th)), 1));
+  return assessed(common.id + "-14th-time", common.place + ", Figure 6.4",
+                  "Gaze by (6.8) takes longer to locate 14 landmarks than a constant rate and than mutual "
+                  "information, " +
+                      common.world,
+                  {.rule = Rule::superiority,
+                   .printed = "19, 18 and 30 s",
+                   .measured = {"medians {} s; in rooms where both located 14: {}", medians, time.text},
+                   .number = ClaimNumber{"time of the 14th of (iii) less that of (i)", time.first, "s"},
+                   .seeds = less(each(runs[2], at), each(runs[0], at)).size()},
+                  time.both_above);
+}
+
+Claim fewer_landmarks(const Common& common, const std::vector<Runs>& runs) {
+  const ThirdLess count = third_less(runs, located, "");
+  return assessed(
+      common.id + "-pace", common.place,
+      "A constant rate and mutual information insert landmarks faster than (6.8): at the end more are "
+      "located than with (6.8), " +
+          common.world,
+      {.rule = Rule::superiority,
+       .measured = count.text,
+       .number = ClaimNumber{"located by (iii) less by (i)", count.first},
+       .seeds = runs[0].size()},
+      count.both_below);
+}
+
+Claim closes_loops_faster(const Common& common, const std::vector<Runs>& runs) {
+  const ThirdLess count = third_less(runs, returns, "");
+  return assessed(
+      common.id + "-loops-pace", common.place,
+      fmt::format("Gaze by (6.8) closes loops at a faster pace: more landmarks come back after {} s or more "
+                  "out of view than with a constant rate and with mutual information, {}",
+                  away_s, common.world),
+      {.rule = Rule::superiority,
+       .measured = count.text,
+       .number = ClaimNumber{"returns by (iii) less by (i)", count.first},
+       .seeds = runs[0].size()},
+      count.both_above);
+}
+
+}  // namespace
+
+const std::vector<Strategy>& by_gaze() {
+  static const std::vector<Strategy> all{{"(i) constant rate", {"decision.gaze=constant-rate"}},
+                                         {"(ii) mutual information", {"decision.gaze=mutual-information"}},
+                                         {"(iii) Fisher information", {"decision.gaze=fisher"}}};
+  return all;
+}
+
+const std::vector<Strategy>& baselines() {
+  static const std::vector<Strategy> all{
+      {"moving at random", {"decision.strategy=random", "decision.gaze=constant-rate"}},
+      {"a fixed path", {"decision.strategy=fixed-path", round_trip, "decision.gaze=constant-rate"}},
+      {"standing", {"decision.strategy=none", "decision.gaze=constant-rate"}}};
+  return all;
+}
+
+const std::vector<Strategy>& driving() {
+  static const std::vector<Strategy> all{{"mutual information", {}},
+                                         {"driving at random", {"decision.strategy=random"}},
+                                         {"driving to and fro", {"decision.strategy=fixed-path", to_and_fro}},
+                                         {"standing", {"decision.strategy=none"}}};
+  return all;
+}
+
+std::vector<Claim> against(const Common& common, const std::string& who, const Runs& ours,
+                           const std::vector<Runs>& rivals) {
+  return {less_entropy(common, who, ours, rivals), smaller_errors(common, who, ours, rivals)};
+}
+
+std::vector<Claim> gaze_claims(const Common& common, const std::vector<Runs>& runs) {
+  return {more_accurate_gaze(common, runs), lower_at_the_14th(common, runs), later_14th(common, runs),
+          fewer_landmarks(common, runs), closes_loops_faster(common, runs)};
+}
+
+Claim inside_its_bounds(const Common& common, const std::string& place, const Runs& runs) {
+  const Interval inside = bootstrap_mean(each(runs, share_inside_2_sigma));
+  return assessed(
+      common.id + "-bounds", place,
+      "The errors of position are inside their 2 sigma bounds (90 % of them or more), " + common.world,
+      {.rule = Rule::coverage,
+       .measured = {"{}, axis by axis; median NEES of a run {}", text(inside),
+                    decimals(median_known(each(runs, &Run::nees)).value, 2)},
+       .number = ClaimNumber{"share inside 2 sigma", inside},
+       .seeds = runs.size()},
+      is_above(inside, 0.9));
+}
+
+Claim moves_across(const Common& common, const Runs& runs) {
+  const Interval share = bootstrap_mean(less(each(runs, share_across), std::vector<double>(runs.size(), 0)));
+  return assessed(
+      common.id + "-across", common.place,
+      "The most informative moves are across the line of sight: up, down, left and right are more than "
+      "their two thirds of all moves, " +
+          common.world,
+      {.rule = Rule::superiority,
+       .measured = {"share of a run's moves {}, {}", text(share), runs.name},
+       .number = ClaimNumber{"share of moves across the line of sight", share},
+       .seeds = runs.size()},
+      is_above(share, 2.0 / 3));
+}
+
+Claim backs_away(const Common& common, const std::string& start, const Runs& runs) {
+  const Interval share =
+      bootstrap_mean(less(each(runs, share_backwards), std::vector<double>(runs.size(), 0)));
+  return assessed(
+      common.id + "-backwards", common.place,
+      "The vehicle drives more than half of its path backward, starting " + start + ", " + common.world,
+      {.rule = Rule::superiority,
+       .measured = {"share of the path {}", text(share)},
+       .number = ClaimNumber{"share of the path that is driven backward", share},
+       .seeds = runs.size()},
+      is_above(share, 0.5));
+}
+
+Claim accelerates(const Common& common, const Runs& runs) {
+  const auto share = [](const Run& run) {
+    double straight = 0;
+    for (const Decision& d : run.decisions) straight += d.action == "slower" || d.action == "faster";
+    return straight / static_cast<double>(run.decisions.size());
+  };
+  const Interval mean = bootstrap_mean(each(runs, share));
+  return assessed(
+      common.id + "-accelerates", common.place,
+      "The most frequent actions are positive and negative linear accelerations: more than their two in "
+      "seven, " +
+          common.world,
+      {.rule = Rule::superiority,
+       .measured = {"share of a run's decisions {}", text(mean)},
+       .number = ClaimNumber{"share of faster and slower", mean},
+       .seeds = runs.size()},
+      is_above(mean, 2.0 / 7));
+}
+
+std::vector<Claim> with_numbers(std::vector<Claim> claims, const std::string& numbers) {
+  claims.front().measured += ". " + numbers;
+  return claims;
+}
+
+}  // namespace incognita::exploring

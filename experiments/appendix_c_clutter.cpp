@@ -4,7 +4,7 @@
 // 10 s, 20 rooms; with and without clutter: three squares of 48 pixels, 9 % of the image, each with a texture of its own,
 // that cross the image at 30 to 60 px/s and come back at the other side. The plan, written before the runs: clutter can
 // be dealt with if the position errors are within a factor of 1.25 of those without clutter, which a lost camera's
-// are not.
+// are not. After a first run one square was added.
 #include "experiments/appendix_c.hpp"
 #include "experiments/common.hpp"
 #include "experiments/exploring_comparison.hpp"
@@ -46,9 +46,10 @@ struct Occluder {
 /// Draws them into every image.
 class Cluttered final : public Sensor {
  public:
-  Cluttered(std::unique_ptr<Sensor> sensors, std::uint64_t seed) : sensors_(std::move(sensors)) {
+  Cluttered(std::unique_ptr<Sensor> sensors, int occluders, std::uint64_t seed)
+      : sensors_(std::move(sensors)) {
     RandomStream random(seed, "clutter");
-    for (int i = 0; i < 3; ++i) occluders_.emplace_back(random);
+    for (int i = 0; i < occluders; ++i) occluders_.emplace_back(random);
   }
 
   Observation measure(const std::optional<Truth>& truth, const Tick& tick) override {
@@ -65,36 +66,41 @@ class Cluttered final : public Sensor {
   std::vector<Occluder> occluders_;
 };
 
-Runs runs_of(bool cluttered, int rooms) {
+Runs runs_of(int occluders, int rooms) {
   exploring::Sets sets = exploring::as_printed_on_images("0.4");
   sets.insert(sets.end(), {"decision.strategy=random", "decision.gaze=constant-rate",
                            "decision.schedule=at-decisions", "run.duration_s=10"});
   const auto run = [&](std::uint64_t seed) {
     return exploring::explore("explore-room", sets, seed, [&](Assembly& assembly) {
       auto& sensor = assembly.parts.sensor;
-      if (cluttered) sensor = std::make_unique<Cluttered>(std::move(sensor), seed);
+      if (occluders > 0) sensor = std::make_unique<Cluttered>(std::move(sensor), occluders, seed);
     });
   };
-  return {over_seeds(rooms, run), cluttered ? "with clutter" : "without"};
+  return {over_seeds(rooms, run), fmt::format("{} occluders", occluders)};
 }
 
 }  // namespace
 
 std::vector<Claim> clutter_claims(int rooms) {
-  const Runs without = runs_of(false, rooms), with = runs_of(true, rooms);
-  const Interval error = exploring::times(without, with, &exploring::Run::position_rms_m);
+  const Runs without = runs_of(0, rooms), with = runs_of(3, rooms), with_one = runs_of(1, rooms);
+  const auto error_of = [&](const Runs& runs) {
+    return exploring::times(without, runs, &exploring::Run::position_rms_m);
+  };
+  const Interval error = error_of(with), of_one = error_of(with_one);
   return {assessed(
       "C.4-clutter", "Appendix C.4",
       "A degree of clutter can be dealt with even if it sometimes occludes landmarks: with 9 % of the image covered by "
       "what moves through it position errors are within a factor of 1.25 of those without clutter, on images of rendered "
       "rooms",
       {.rule = Rule::equality,
-       .measured = {"error over that without clutter: {}; diverged {} and {} of {}", text(error),
-                    exploring::diverged_of(with), exploring::diverged_of(without), rooms},
+       .measured =
+           {"error over that without clutter: {}; diverged {}, without {} of {}. With one square, 3 %: {}, diverged {}",
+            text(error), exploring::diverged_of(with), exploring::diverged_of(without), rooms, text(of_one),
+            exploring::diverged_of(with_one)},
        .number = ClaimNumber{"position error with clutter over that without", error},
-       .why = "the errors are larger than that",
+       .why = "the errors are larger, with a third of that clutter, too",
        .seeds = rooms},
-      as_good(error), in_truth(is_above(error, as_good_factor)))};
+      as_good(error), in_truth(is_above(error, as_good_factor) && is_above(of_one, 1)))};
 }
 
 }  // namespace incognita::appendix_c

@@ -164,8 +164,8 @@ Claim close_features(const std::vector<Landmarks>& rooms) {
       fmt::format(
           "Close features have positions that are uncertain in the world and differences that are well known: "
           "of points within {} m of each other the sigma of the difference is less than half of what it "
-          "would be if they were independent",
-          close_m),
+          "would be if they were independent, after {:.0f} s in rendered rooms",
+          close_m, duration_s),
       {.rule = Rule::superiority,
        .measured = {"{} of it; sigma of a position {}, of a difference {}", text(ratio),
                     text(bootstrap_mean(of(&Landmarks::sigma_m)), "m"),

@@ -1,9 +1,19 @@
 // Section 6.3.1: a camera that moves freely explores a room of points.
 //
-// Experiment: scenarios/free-camera.toml (room of 6 x 6 x 2.5 m, 33 points, 6 of them known; 0.3 m a second;
-// 35 s). The plan of the comparison, written before the runs: strategies in the same rooms with the same
-// noises (paired by seed); what counts at the end is the entropy of camera, map and what is not mapped yet
-// together (Figure 6.3: always 27 landmarks), and the position error. Baselines turn as (i) does.
+// Experiment: scenarios/free-camera-as-printed.toml (room of 6 x 6 x 2.5 m, 33 points, 6 of them known; 0.3 m a
+// second; 35 s; landmarks from lines of depth hypotheses, matched by nearest neighbor), in rooms that were not used
+// to choose any setting. From the printed start (0.6 m, 0.46 m in height, 45 degrees) most runs are lost: that is a
+// claim of its own, with the start scaled down; the other claims start within 2 cm and 0.02 rad. The number of
+// landmarks that are wanted in view is not printed: 12, and the time of the 14th landmark depends on it most.
+// Our variant, scenarios/free-camera.toml, has landmarks from the first view on and identities that are given.
+//
+// The plan of the comparison, written before the runs, after runs in rooms 1 to 20: strategies in the same rooms
+// with the same noises (paired by seed); what counts at the end is the entropy of camera, map and what is not mapped
+// yet together (Figure 6.3: always 27 landmarks), and the position error. Baselines turn as (i) does.
+#include <fmt/format.h>
+
+#include <utility>
+
 #include "experiments/common.hpp"
 #include "experiments/exploring_claims.hpp"
 #include "experiments/exploring_figures.hpp"
@@ -20,6 +30,8 @@ const std::vector<Strategy>& look_ahead() {
        {"decision.gaze=constant-rate", "decision.horizon=3", "decision.max_evaluations=140"}}};
   return all;
 }
+
+const char* const as_printed = "free-camera-as-printed";
 
 const Common points{"6.3", "Section 6.3.1", "in rooms of points"};
 
@@ -53,10 +65,65 @@ Claim greedy_is_as_good(const std::string& id, const Runs& greedy, const Runs& a
       agrees(gap, 0, as_good));
 }
 
+/// The true start, drawn with the printed sigmas times `scale`.
+Sets start_scaled_by(double scale) {
+  return {fmt::format("plant.sigma_start_position_m={}", 0.6 * scale),
+          fmt::format("plant.sigma_start_height_m={}", 0.46 * scale),
+          fmt::format("plant.sigma_start_heading_rad={}", pi / 4 * scale)};
+}
+
+/// Within 2 cm and 0.02 rad.
+Sets near_start() {
+  return {"plant.sigma_start_position_m=0.02", "plant.sigma_start_height_m=0.02",
+          "plant.sigma_start_heading_rad=0.02"};
+}
+
+int kept_of(const Runs& runs) { return static_cast<int>(runs.size()) - diverged_of(runs); }
+
+/// Gaze by (iii), from the printed start and from the same scaled down.
+Claim printed_start(const ExperimentSettings& settings) {
+  constexpr double scales[] = {1, 0.5, 0.25};
+  std::vector<Runs> by_scale;
+  std::string measured;
+  for (const double scale : scales) {
+    by_scale.push_back(
+        runs_of(as_printed, with(start_scaled_by(scale), {by_gaze()[2]}).front(), settings, fresh_rooms));
+    measured += fmt::format("{}{} of {} rooms with {} of the printed sigmas (median NEES of a run {})",
+                            measured.empty() ? "" : ", ", kept_of(by_scale.back()), settings.seeds, scale,
+                            decimals(median_known(each(by_scale.back(), &Run::nees)).value, 1));
+  }
+  const auto stays_localized = [&](const Runs& runs) { return happens_in(0.9, kept_of(runs), runs.size()); };
+  return assessed(
+      "6.3-printed-start", "Section 6.3.1, Figure 6.5",
+      "From a start that is as uncertain as printed the camera is localized: in nine of ten rooms of points or more "
+      "it ends neither lost nor with an error of 0.5 m (rms)",
+      {.rule = Rule::frequency,
+       .printed = "0.6 m, 0.46 m in height and 45 degrees",
+       .measured = measured,
+       .number = ClaimNumber{"share of rooms in which it stays localized",
+                             share_of(static_cast<std::size_t>(kept_of(by_scale[0])), by_scale[0].size())},
+       .why = "with a quarter of the printed sigmas",
+       .seeds = settings.seeds},
+      stays_localized(by_scale[0]), on_condition(stays_localized(by_scale[2])));
+}
+
+/// Ours: landmarks from the first view on, identities given, gaze by (i).
+std::vector<Claim> mapped_at_once(const ExperimentSettings& settings) {
+  std::vector<Strategy> all = baselines();
+  all.insert(all.begin(), by_gaze()[0]);
+  std::vector<Runs> runs = runs_of_all("free-camera", all, settings, fresh_rooms);
+  const Runs ours = std::move(runs.front());
+  runs.erase(runs.begin());
+  const Common at_once{"6.3-at-once", points.place,
+                       "in rooms of points whose landmarks begin at the first view and have identities"};
+  return with_numbers(against(at_once, "Moving by mutual information, gaze " + ours.name, ours, runs),
+                      in_numbers(ours) + "; " + in_numbers(runs));
+}
+
 LedgerEntry run_section_6_3(const ExperimentSettings& all_seeds) {
   const ExperimentSettings settings = half_of(all_seeds);
   const auto runs = [&](const std::vector<Strategy>& all) {
-    return runs_of_all("free-camera", all, settings);
+    return runs_of_all(as_printed, with(near_start(), all), settings, fresh_rooms);
   };
   const std::vector<Runs> gaze = runs(by_gaze()), rivals = runs(baselines()), ahead = runs(look_ahead()),
                           blind = runs(
@@ -70,7 +137,8 @@ LedgerEntry run_section_6_3(const ExperimentSettings& all_seeds) {
       section_6_3, settings,
       {with_numbers(each_gaze(0, "-i"), in_numbers(gaze) + "; " + in_numbers(rivals)), each_gaze(1, "-ii"),
        each_gaze(2, "-iii"), gaze_claims(points, gaze), inside_its_bounds(points, "Figure 6.5", gaze[2]),
-       explores(gaze[1], blind[0]), greedy_is_as_good("6.3-look-ahead-2", gaze[0], ahead[0]),
+       explores(gaze[1], blind[0]), printed_start(settings), mapped_at_once(settings),
+       greedy_is_as_good("6.3-look-ahead-2", gaze[0], ahead[0]),
        greedy_is_as_good("6.3-look-ahead-3", gaze[0], ahead[1])},
       {map_figure("fig-6.4", "Exploring by mutual information, gaze by strategy", gaze),
        error_figure("fig-6.5", "Estimation errors and their 2 sigma bounds, gaze by strategy", gaze)});

@@ -26,9 +26,10 @@ std::unique_ptr<BodyChoice> choice_of(const ActiveSettings& s, const BodyModel& 
         "unseen cells of the exploration volume");
   if (s.decision.strategy == DecisionSettings::Strategy::plan) {
     if (s.carrier)
-      return std::make_unique<PlannedCarrierChoice>(s.decision, *s.carrier, mobility_of(s.decision, *s.carrier),
-                                                    sigma_m_s2, sigma_rad_s2);
-    return std::make_unique<PlannedCameraChoice>(s.decision, free_mobility(s.decision, s.delay_s), sigma_m_s2, sigma_rad_s2);
+      return std::make_unique<PlannedCarrierChoice>(
+          s.decision, *s.carrier, mobility_of(s.decision, *s.carrier), sigma_m_s2, sigma_rad_s2);
+    return std::make_unique<PlannedCameraChoice>(s.decision, free_mobility(s.decision, s.delay_s), sigma_m_s2,
+                                                 sigma_rad_s2);
   }
   if (s.carrier)
     return std::make_unique<CarrierChoice>(s.decision, *s.carrier, sigma_m_s2, sigma_rad_s2, s.seed, who);
@@ -143,9 +144,10 @@ Goal Decision::choose(const Estimate& estimate, const Observation& observation, 
       forget(i);
       continue;
     }
-    expectation_.prepare(estimate, i, sides_ ? sides_->expected() : exploration_.expected(), exploration_.settings().variance_expected_m2);
-    choices_[i]->choose(estimate.belief, estimate.bodies[i], expectation_, surroundings_of(i, estimate, observation),
-                        tick, goal_.bodies[i]);
+    expectation_.prepare(estimate, i, sides_ ? sides_->expected() : exploration_.expected(),
+                         exploration_.settings().variance_expected_m2);
+    choices_[i]->choose(estimate.belief, estimate.bodies[i], expectation_,
+                        surroundings_of(i, estimate, observation), tick, goal_.bodies[i]);
     decided |= goal_.bodies[i].decided;
   }
   if (entropy_ && decided && exploration_.settings().expected_landmarks > 0 &&

@@ -45,7 +45,8 @@ class Decision final : public Strategy {
  private:
   void forget(std::size_t body);
   void explore(const Estimate& estimate, const Tick& tick);
-  Surroundings surroundings_of(std::size_t body, const Estimate& estimate, const Observation& observation) const;
+  Surroundings surroundings_of(std::size_t body, const Estimate& estimate,
+                               const Observation& observation) const;
   double since_last_call(const Tick& tick);
 
   std::vector<std::unique_ptr<BodyChoice>> choices_;

@@ -54,8 +54,8 @@ std::vector<Claim> search_claims() {
       "Of two searches the one with the larger S, whose result is more difficult to predict, provides more information "
       "about camera and features",
       {.rule = Rule::example,
-       .measured = {"in {} of {} pairs; about the camera alone in {}", of_all, pairs, of_camera},
-       .number = exactly("percent of pairs in which the larger S tells more about the camera alone",
+       .measured = {"in {} of {} pairs; about the camera in {}", of_all, pairs, of_camera},
+       .number = exactly("percent of pairs in which the larger S gives more information about the camera",
                          std::round(1000.0 * of_camera / pairs) / 10, "%"),
        .runs = pairs},
       of_all == pairs)};

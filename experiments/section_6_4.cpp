@@ -50,7 +50,7 @@ Claim all_pairs(const Runs& seven, const Runs& nine) {
 /// By so much more of the errors would have to be inside on flat ground for the ground to be a reason.
 constexpr double a_reason = 0.02;
 
-/// One-sided: fewer inside on flat ground say the same. (Equality to 2 %, as first planned, was undecided: 0.004 to
+/// One-sided: fewer inside on flat ground say the same. (Equality to 2 %, as first planned, was undecided: 0.007 to
 /// 0.043 fewer.)
 Claim ground_is_no_reason(const Runs& waves, const Runs& flat) {
   const Interval more = more_than(waves, flat, share_inside_2_sigma);

@@ -1,6 +1,6 @@
 incognita_test(planar_consistency_test SOURCES experiments/planar_consistency_test.cpp USES incognita::experiments incognita::app)
 incognita_test(monobot_test SOURCES experiments/evidence_test.cpp experiments/monobot_test.cpp USES incognita::experiments)
-incognita_test(claims_test SOURCES experiments/claims_test.cpp USES incognita::experiments)
+incognita_test(claims_test SOURCES experiments/claims_test.cpp USES incognita::experiments TIMEOUT 1800)
 incognita_test(example_4_6_test SOURCES experiments/example_4_6_test.cpp USES incognita::experiments)
 incognita_test(text_chapter_4_drive_test SOURCES experiments/text_chapter_4_drive_test.cpp USES incognita::experiments)
 incognita_test(observability_claims_test SOURCES experiments/observability_claims_test.cpp USES incognita::experiments incognita::systems incognita::io)

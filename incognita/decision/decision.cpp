@@ -121,6 +121,7 @@ Surroundings Decision::surroundings_of(std::size_t body, const Estimate& estimat
                                        const Observation& observation) const {
   Surroundings around;
   around.estimate = &estimate;
+  around.unmapped = sides_ ? sides_->expected() : exploration_.expected();
   around.expected = sides_ ? sides_->count() : exploration_.settings().expected_landmarks;
   around.expected_var_m2 = exploration_.settings().variance_expected_m2;
   if (exploration_.settings().expected_landmarks > 0) around.seen = exploration_.volume();

@@ -40,6 +40,8 @@ struct DecisionSettings {
   double resolution_m = 0.05;
   int min_matches = 8;
   double pose_weight = 1;
+  double discount_s = 10;
+  double prepare_s = 0.5;
   Schedule schedule = Schedule::every_frame;
   double step_m = 0.3;
   std::vector<Eigen::Vector3d> moves_m;
@@ -56,6 +58,7 @@ struct DecisionSettings {
 
   Gaze gaze = Gaze::swing;
   double gaze_rate_rad_s = 0.2;
+  double max_elevation_rad = 0;
   double gaze_period_s = 0.05;
   double gaze_ahead_s = 1.0;
 
@@ -81,6 +84,13 @@ struct DecisionSettings {
             "Landmarks of the map that must be expected in every view of a plan");
     setting(&S::pose_weight, "pose_weight", "", between(0, 1e3),
             "Weight of the information about the pose beside that about the landmarks in a plan");
+    setting(
+        &S::prepare_s, "prepare_s", "s", between(0, 1e4),
+        "Last part of an action in which the strategy `plan` prepares the next choice, a few candidates per frame; 0: all "
+        "at once when it is due");
+    setting(
+        &S::discount_s, "discount_s", "s", between(0, 1e4),
+        "Time after a plan in which the worth of what is still to be mapped falls to 1/e; 0: it is worth nothing");
     setting(&S::schedule, "schedule", "", any(),
             "Frames in which actions are scored: every one, those of a decision, or one action per frame");
     setting(&S::sequence, "sequence", "", any(),
@@ -109,6 +119,9 @@ struct DecisionSettings {
             "Rotation of a free camera; not used with the strategy `frontier`, which turns it itself");
     setting(&S::gaze_rate_rad_s, "gaze_rate_rad_s", "rad/s", between(0, 10),
             "Angular rate of the gaze, thesis 6.3.1");
+    setting(
+        &S::max_elevation_rad, "max_elevation_rad", "rad", between(0, 1.5),
+        "Largest elevation of the gaze above and below the horizon with the strategy `plan`; 0: level, as in the thesis");
     setting(&S::gaze_period_s, "gaze_period_s", "s", between(0.001, 1e4),
             "Duration of a rotation, after which rotations are compared again");
     setting(&S::gaze_ahead_s, "gaze_ahead_s", "s", between(0.001, 1e4),

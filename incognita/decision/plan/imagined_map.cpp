@@ -139,6 +139,16 @@ double ImaginedMap::about_map(const PlannedMap& map, const Resolution& resolutio
   return nats;
 }
 
+double ImaginedMap::missing_about(const PlannedMap& map, int expected_index,
+                                  const Resolution& resolution) const {
+  const auto found = std::ranges::find(expected_, expected_index, &Expected::index);
+  const Eigen::Matrix3d P =
+      found == expected_.end() ? map.expected_var_m2() * Eigen::Matrix3d::Identity() : found->P;
+  const double known = log_det_to(resolution.position_m * resolution.position_m * Eigen::Matrix3d::Identity(),
+                                  resolution.position_m);
+  return std::max(0.0, (log_det_to(P, resolution.position_m) - known) / 2);
+}
+
 double ImaginedMap::entropy_of_pose(const Resolution& resolution) const {
   Eigen::Matrix<double, pose_errors, pose_errors> P = P_.topLeftCorner<pose_errors, pose_errors>();
   P.diagonal().head<3>().array() += std::pow(resolution.position_m, 2);

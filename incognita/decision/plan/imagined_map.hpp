@@ -15,6 +15,8 @@
 
 namespace incognita {
 
+class StateArchive;
+
 /// Constant during one comparison of plans.
 class PlannedMap {
  public:
@@ -36,6 +38,8 @@ class PlannedMap {
     Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 6> J;  ///< d(position) / d(errors)
   };
   const std::vector<Taken>& taken() const { return taken_; }
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
 
  private:
   int body_errors_ = 0, expected_ = 0;
@@ -61,6 +65,15 @@ class ImaginedMap {
 
   /// Information about the landmarks, about each as if it were alone, gained since the start, to that resolution, nats.
   double about_map(const PlannedMap& map, const Resolution& resolution) const;
+  /// What is missing about an expected landmark to be known to that resolution, nats.
+  double missing_about(const PlannedMap& map, int expected_index, const Resolution& resolution) const;
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
+  struct Expected {
+    int index;
+    Eigen::Matrix3d P;
+  };
+
   /// Entropy of the pose of the body, to that resolution, nats: not of its velocities.
   double entropy_of_pose(const Resolution& resolution) const;
 
@@ -68,11 +81,7 @@ class ImaginedMap {
   void update_known(const PlannedMap& map, std::span<const PredictedMeasurement> measurements);
   void update_expected(const PredictedMeasurement& measurement, double var_m2);
 
-  Eigen::MatrixXd P_;  ///< of the body, then of the landmarks taken
-  struct Expected {
-    int index;
-    Eigen::Matrix3d P;
-  };
+  Eigen::MatrixXd P_;               ///< of the body, then of the landmarks taken
   std::vector<Expected> expected_;  ///< those measured so far, by index
 };
 

@@ -1,6 +1,8 @@
 #include "incognita/decision/plan/moves.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "incognita/models/motion/heading.hpp"
@@ -8,32 +10,40 @@
 namespace incognita {
 
 JointMoves::JointMoves(std::vector<Translation> translations, double period_s, double gaze_rate_rad_s,
-                       const WorldBounds& bounds)
+                       double max_elevation_rad, const WorldBounds& bounds)
     : translations_(std::move(translations)),
       period_s_(period_s),
       gaze_rate_rad_s_(gaze_rate_rad_s),
+      max_elevation_rad_(max_elevation_rad),
       bounds_(bounds),
-      stay_(find_stay(translations_)) {}
+      stay_(find_stay(translations_)),
+      turns_(max_elevation_rad > 0 ? 5 : 3) {}
 
-double JointMoves::rate_of(int move) const {
-  const int turn = move % turns;
-  return turn == 0 ? 0 : turn == 1 ? gaze_rate_rad_s_ : -gaze_rate_rad_s_;
+Eigen::Vector2d JointMoves::rates_of(int move) const {
+  static const std::array<Eigen::Vector2d, 5> directions{
+      {Eigen::Vector2d(0, 0), {1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+  return gaze_rate_rad_s_ * directions[static_cast<std::size_t>(move % turns_)];
 }
 
 std::vector<std::string> JointMoves::names() const {
+  static constexpr std::array<const char*, 5> turns{"", "_turning_left", "_turning_right", "_turning_up",
+                                                    "_turning_down"};
   std::vector<std::string> names;
   for (const Translation& t : translations_)
-    for (const char* turn : {"", "_turning_left", "_turning_right"}) names.push_back(t.name + turn);
+    for (int turn = 0; turn < turns_; ++turn) names.push_back(t.name + turns[static_cast<std::size_t>(turn)]);
   return names;
 }
 
 BlockVector JointMoves::along(const BlockVector& state, int move, double s) const {
   BlockVector out = state;
   const Eigen::Vector4d gaze = state.segment<4>(3);
-  const Eigen::AngleAxisd heading(heading_of(gaze), Eigen::Vector3d::UnitZ());
-  const Translation& translation = translations_[static_cast<std::size_t>(move / turns)];
+  const double heading_rad = heading_of(gaze);
+  const Eigen::AngleAxisd heading(heading_rad, Eigen::Vector3d::UnitZ());
+  const Translation& translation = translations_[static_cast<std::size_t>(move / turns_)];
   out.head<3>() += s / period_s_ * (heading * translation.displacement_m);
-  out.segment<4>(3) = turned_left(gaze, rate_of(move) * s);
+  const Eigen::Vector2d turned = s * rates_of(move);
+  out.segment<4>(3) = gaze_at(heading_rad + turned.x(), std::clamp(elevation_of(gaze) + turned.y(),
+                                                                   -max_elevation_rad_, max_elevation_rad_));
   out.tail<6>().setZero();
   return out;
 }

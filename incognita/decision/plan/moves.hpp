@@ -22,30 +22,30 @@ class MoveSet {
   virtual double outside_m(const BlockVector& state) const = 0;
 };
 
-/// Every translation of a free camera with every turn of its gaze: to the left, none, to the right.
+/// Every translation of a free camera with every turn of its gaze: none, to the left, to the right, and, where it need not be
+/// level, up and down.
 class JointMoves final : public MoveSet {
  public:
   /// Throws std::invalid_argument if no translation has zero displacement.
   JointMoves(std::vector<Translation> translations, double period_s, double gaze_rate_rad_s,
-             const WorldBounds& bounds);
-  int count() const override { return static_cast<int>(translations_.size()) * turns; }
-  int stay() const override { return stay_ * turns; }
+             double max_elevation_rad, const WorldBounds& bounds);
+  int count() const override { return static_cast<int>(translations_.size()) * turns_; }
+  int stay() const override { return stay_ * turns_; }
   int then(int move) const override { return move; }
   BlockVector along(const BlockVector& state, int move, double s) const override;
   double outside_m(const BlockVector& state) const override;
 
-  /// To the left, rad/s.
-  double rate_of(int move) const;
-  /// `go_left`, `go_left_turning_left`, `go_left_turning_right` of each translation.
+  /// To the left and up, rad/s.
+  Eigen::Vector2d rates_of(int move) const;
+  /// `go_left`, `go_left_turning_left` and so on of each translation.
   std::vector<std::string> names() const;
-
-  static constexpr int turns = 3;
+  double max_elevation_rad() const { return max_elevation_rad_; }
 
  private:
   std::vector<Translation> translations_;
-  double period_s_, gaze_rate_rad_s_;
+  double period_s_, gaze_rate_rad_s_, max_elevation_rad_;
   WorldBounds bounds_;
-  int stay_;
+  int stay_, turns_;
 };
 
 /// The changes of speed of a vehicle that carries a camera.

@@ -21,6 +21,9 @@ class PlanAtPeriods {
   bool choose(const BlockVector& state, const MoveSet& moves, const Body& body,
               const Expectation& expectation, const Surroundings& surroundings, const Tick& tick);
   void forget();
+  void state(StateArchive& archive);
+  /// Throws DamagedState if what was restored is of another number of moves.
+  void check_moves(std::size_t count) const;
 
   int chosen() const { return chosen_; }
   double end_t() const { return end_t_; }
@@ -28,6 +31,8 @@ class PlanAtPeriods {
   Approach& approach() { return approach_; }
 
  private:
+  void prepare(const Planner::Input& now, const Tick& tick);
+
   DecisionSettings settings_;
   Growth growth_;
   Planner planner_;
@@ -48,11 +53,14 @@ class PlannedCameraChoice final : public BodyChoice {
   const std::vector<std::string>& names() const override { return names_; }
 
  private:
+  void look(const BlockVector& camera, double dt);
+
   JointMoves moves_;
   std::vector<std::string> names_;
   PlanAtPeriods plan_;
   bool looking_ = false;
-  double heading_rad_ = 0, heading_rate_rad_s_ = 0;
+  double heading_rad_ = 0, elevation_rad_ = 0;
+  Eigen::Vector2d rates_rad_s_{0, 0};  ///< of both
 };
 
 class PlannedCarrierChoice final : public BodyChoice {

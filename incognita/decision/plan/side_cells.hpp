@@ -24,6 +24,9 @@ class SideCells {
   void compare(const Estimate& estimate);
 
   const std::vector<ExpectedLandmark>& expected() const { return expected_; }
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
+
   int count() const { return static_cast<int>(cells_.size()); }
 
  private:

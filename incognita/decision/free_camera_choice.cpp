@@ -1,6 +1,7 @@
 #include "incognita/decision/free_camera_choice.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "incognita/math/angles.hpp"
 #include "incognita/models/motion/heading.hpp"
@@ -51,6 +52,16 @@ void FreeCameraChoice::forget() {
   looking_ = false;
 }
 
+/// Up and down between the largest elevations at the rate of the gaze.
+void FreeCameraChoice::nod(double dt) {
+  if (settings_.max_elevation_rad == 0) return;
+  if (elevation_rate_rad_s_ == 0) elevation_rate_rad_s_ = settings_.gaze_rate_rad_s;
+  elevation_rad_ += elevation_rate_rad_s_ * dt;
+  if (std::abs(elevation_rad_) < settings_.max_elevation_rad) return;
+  elevation_rad_ = std::copysign(settings_.max_elevation_rad, elevation_rad_);
+  elevation_rate_rad_s_ = -std::copysign(settings_.gaze_rate_rad_s, elevation_rad_);
+}
+
 /// Integrates the heading at the current rate; the rate is chosen anew every gaze period, or in every tick towards a wanted
 /// heading.
 void FreeCameraChoice::turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
@@ -59,6 +70,7 @@ void FreeCameraChoice::turn(const AnyBelief& belief, BlockId vehicle, const Came
   const bool first = !looking_;
   if (first) {
     heading_rad_ = heading_of(free_camera::orientation(camera));
+    elevation_rad_ = settings_.max_elevation_rad > 0 ? elevation_of(free_camera::orientation(camera)) : 0;
     heading_rate_rad_s_ = settings_.gaze == Gaze::constant_rate ? settings_.gaze_rate_rad_s : 0;
     looking_ = true;
   } else {
@@ -85,6 +97,9 @@ void FreeCameraChoice::choose(const AnyBelief& belief, const Body& body, const E
     turn(belief, body.block, camera, expectation, wanted_rad, tick);
     goal.heading_rad = heading_rad_;
     goal.heading_rate_rad_s = heading_rate_rad_s_;
+    nod(tick.dt);
+    goal.elevation_rad = elevation_rad_;
+    goal.elevation_rate_rad_s = elevation_rate_rad_s_;
     translations_.turn_at(heading_rate_rad_s_);
   }
   goal.decided = choice_.choose(belief, body.block, camera, translations_, expectation, tick, surroundings);

@@ -31,6 +31,7 @@ class FreeCameraChoice final : public BodyChoice {
   const std::vector<std::string>& names() const override { return choice_.names(); }
 
  private:
+  void nod(double dt);
   void turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
             const Expectation& expectation, std::optional<double> wanted_rad, const Tick& tick);
 
@@ -41,6 +42,7 @@ class FreeCameraChoice final : public BodyChoice {
   LookAhead gaze_;
   bool looking_ = false;  ///< whether the heading is initialized
   double heading_rad_ = 0, heading_rate_rad_s_ = 0, gaze_t_ = 0;
+  double elevation_rad_ = 0, elevation_rate_rad_s_ = 0;
 };
 
 }  // namespace incognita

@@ -77,9 +77,9 @@ void ActionChoice::state(StateArchive& archive) {
 }
 
 void FreeCameraChoice::state(StateArchive& archive) {
-  auto& [settings, translations, turns, choice, gaze, looking, heading_rad, heading_rate_rad_s, gaze_t] =
-      *this;
-  archive(choice, looking, heading_rad, heading_rate_rad_s, gaze_t);
+  auto& [settings, translations, turns, choice, gaze, looking, heading_rad, heading_rate_rad_s, gaze_t,
+         elevation_rad, elevation_rate_rad_s] = *this;
+  archive(choice, looking, heading_rad, heading_rate_rad_s, gaze_t, elevation_rad, elevation_rate_rad_s);
   if (archive.restores() && looking) translations.turn_at(heading_rate_rad_s);
 }
 

@@ -121,7 +121,8 @@ struct DecisionSettings {
             "Angular rate of the gaze, thesis 6.3.1");
     setting(
         &S::max_elevation_rad, "max_elevation_rad", "rad", between(0, 1.5),
-        "Largest elevation of the gaze above and below the horizon with the strategy `plan`; 0: level, as in the thesis");
+        "Largest elevation of the gaze above and below the horizon, between which it rises and falls at gaze_rate_rad_s where "
+        "no plan chooses it; 0: level, as in the thesis");
     setting(&S::gaze_period_s, "gaze_period_s", "s", between(0.001, 1e4),
             "Duration of a rotation, after which rotations are compared again");
     setting(&S::gaze_ahead_s, "gaze_ahead_s", "s", between(0.001, 1e4),

@@ -17,20 +17,37 @@ JointMoves::JointMoves(std::vector<Translation> translations, double period_s, d
       max_elevation_rad_(max_elevation_rad),
       bounds_(bounds),
       stay_(find_stay(translations_)),
-      turns_(max_elevation_rad > 0 ? 5 : 3) {}
+      turns_(max_elevation_rad > 0 ? 9 : 3) {}
+
+namespace {
+
+/// To the left and up; the first three are level.
+struct Turn {
+  int left, up;
+  const char* suffix;
+};
+constexpr std::array<Turn, 9> all_turns{{{0, 0, ""},
+                                         {1, 0, "_turning_left"},
+                                         {-1, 0, "_turning_right"},
+                                         {0, 1, "_turning_up"},
+                                         {0, -1, "_turning_down"},
+                                         {1, 1, "_turning_left_up"},
+                                         {1, -1, "_turning_left_down"},
+                                         {-1, 1, "_turning_right_up"},
+                                         {-1, -1, "_turning_right_down"}}};
+
+}  // namespace
 
 Eigen::Vector2d JointMoves::rates_of(int move) const {
-  static const std::array<Eigen::Vector2d, 5> directions{
-      {Eigen::Vector2d(0, 0), {1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-  return gaze_rate_rad_s_ * directions[static_cast<std::size_t>(move % turns_)];
+  const Turn& turn = all_turns[static_cast<std::size_t>(move % turns_)];
+  return gaze_rate_rad_s_ * Eigen::Vector2d(turn.left, turn.up);
 }
 
 std::vector<std::string> JointMoves::names() const {
-  static constexpr std::array<const char*, 5> turns{"", "_turning_left", "_turning_right", "_turning_up",
-                                                    "_turning_down"};
   std::vector<std::string> names;
   for (const Translation& t : translations_)
-    for (int turn = 0; turn < turns_; ++turn) names.push_back(t.name + turns[static_cast<std::size_t>(turn)]);
+    for (int turn = 0; turn < turns_; ++turn)
+      names.push_back(t.name + all_turns[static_cast<std::size_t>(turn)].suffix);
   return names;
 }
 

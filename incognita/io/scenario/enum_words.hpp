@@ -123,8 +123,9 @@ inline constexpr auto enum_words<ExplorationSettings::Counted> =
         {{ExplorationSettings::Counted::all, "all"}, {ExplorationSettings::Counted::as_mapped, "as-mapped"}});
 template <>
 inline constexpr auto enum_words<ExplorationSettings::Placed> =
-    std::to_array<EnumWord<ExplorationSettings::Placed>>({{ExplorationSettings::Placed::in_volume, "in-volume"},
-                                                          {ExplorationSettings::Placed::on_sides, "on-sides"}});
+    std::to_array<EnumWord<ExplorationSettings::Placed>>(
+        {{ExplorationSettings::Placed::in_volume, "in-volume"},
+         {ExplorationSettings::Placed::on_sides, "on-sides"}});
 template <>
 inline constexpr auto enum_words<ControlLaw> =
     std::to_array<EnumWord<ControlLaw>>({{ControlLaw::none, "none"},

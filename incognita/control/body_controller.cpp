@@ -25,7 +25,8 @@ BodyCommand shown(const BodyGoal* goal) {
   if (!goal || !is_set(*goal)) return command;
   command.shown = UserCommand{segment_of(*goal), goal->decided, std::nullopt};
   if (!goal->heading_rad) return command;
-  command.shown->gaze = {*goal->heading_rad, goal->heading_rate_rad_s};
+  command.shown->gaze = {*goal->heading_rad, goal->heading_rate_rad_s, goal->elevation_rad,
+                         goal->elevation_rate_rad_s};
   command.reference = Eigen::Vector4d(goal->to.x(), goal->to.y(), goal->to.z(), *goal->heading_rad);
   return command;
 }
@@ -100,7 +101,8 @@ Eigen::Vector2d BodyController::clear_of_obstacles(const Eigen::Vector2d& desire
 
 /// The goal's gaze; without one, a swing about the first heading.
 Heading BodyController::gaze_of(const BodyGoal& goal, double t) {
-  if (goal.heading_rad) return {*goal.heading_rad, goal.heading_rate_rad_s};
+  if (goal.heading_rad)
+    return {*goal.heading_rad, goal.heading_rate_rad_s, goal.elevation_rad, goal.elevation_rate_rad_s};
   if (!first_heading_) {
     first_heading_ = heading_of(free_camera::orientation(CameraState(last_known_)));
     first_t_ = t;

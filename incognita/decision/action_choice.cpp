@@ -125,6 +125,7 @@ int ActionChoice::compare(const RuleInput& now) {
       return rule_->choose(now, allowed_);
     case DecisionSettings::Strategy::random:
       return any_allowed();
+    case DecisionSettings::Strategy::plan:  // planned_choice.hpp
     case DecisionSettings::Strategy::none:
       break;
   }

@@ -18,6 +18,7 @@ std::unique_ptr<ActionRule> rule_of(const DecisionSettings& s, const Mobility& m
     case DecisionSettings::Strategy::frontier:
       return std::make_unique<Frontier>(s, mobility);
     case DecisionSettings::Strategy::mutual_information:
+    case DecisionSettings::Strategy::plan:
     case DecisionSettings::Strategy::random:
     case DecisionSettings::Strategy::fixed_path:
     case DecisionSettings::Strategy::none:

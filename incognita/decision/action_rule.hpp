@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "incognita/decision/action_sets.hpp"
+#include "incognita/decision/exploration.hpp"
 #include "incognita/decision/settings.hpp"
 #include "incognita/messages/exploration_volume.hpp"
 #include "incognita/messages/observation.hpp"
@@ -16,6 +17,7 @@
 namespace incognita {
 
 class StateArchive;
+struct Estimate;
 
 /// How the actions of a body move it.
 struct Mobility {
@@ -39,6 +41,10 @@ struct Surroundings {
   std::shared_ptr<const ExplorationVolume> seen = {};  ///< null without an exploration prior
   /// Whether the sensors of the body would measure a landmark at a position (world, m) from a state
   std::function<bool(const BlockVector& state, const Eigen::Vector3d& position)> in_view = {};
+  const Estimate* estimate = nullptr;
+  std::span<const ExpectedLandmark> unmapped = {};
+  int expected = 0;            ///< landmarks that are expected, as the expectation predicts them
+  double expected_var_m2 = 0;  ///< of each coordinate
   std::span<const ConeRange> obstacles = {};  ///< readings of this tick; empty without such a sensor
 };
 

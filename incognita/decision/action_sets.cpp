@@ -112,11 +112,11 @@ Eigen::Vector2d SpeedChanges::after(const Eigen::Vector2d& speeds, int action) c
           std::clamp(wished.y(), -max_turn_rate_rad_s_, max_turn_rate_rad_s_)};
 }
 
-ActionOutcome SpeedChanges::after(const BlockVector& state, int action) const {
-  ActionOutcome out{state, growth_.A, growth_.N};
+BlockVector SpeedChanges::along(const BlockVector& state, int action, double s) const {
+  BlockVector out = state;
   const Eigen::Vector2d speeds = after(Eigen::Vector2d(state.tail<2>()), action);
   // The axle's center moves along an arc in the plane of the body axes (x ahead, y left, z normal)
-  const double turn = speeds.y() * period_s_, way = speeds.x() * period_s_;
+  const double turn = speeds.y() * s, way = speeds.x() * s;
   const double half = turn / 2, chord = std::abs(half) < 1e-8 ? way : way * std::sin(half) / half;
   const Eigen::Vector3d gone(chord * std::cos(half), chord * std::sin(half), 0);
   const Eigen::Matrix3d turned = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -124,10 +124,15 @@ ActionOutcome SpeedChanges::after(const BlockVector& state, int action) const {
   const Eigen::Matrix3d body_from_camera = mount_.body_from_camera();
   const Eigen::Matrix3d world_from_body = world_from_camera * body_from_camera.transpose();
   const Eigen::Vector3d lever = mount_.lever();
-  out.state.head<3>() += world_from_body * (gone + turned * lever - lever);
-  out.state.segment<4>(3) = quaternion_from_matrix(world_from_body * turned * body_from_camera);
-  out.state.tail<2>() = speeds;
-  out.outside_m = bounds_.outside_m(out.state.head<3>());  // also for "stay", which keeps driving
+  out.head<3>() += world_from_body * (gone + turned * lever - lever);
+  out.segment<4>(3) = quaternion_from_matrix(world_from_body * turned * body_from_camera);
+  out.tail<2>() = speeds;
+  return out;
+}
+
+ActionOutcome SpeedChanges::after(const BlockVector& state, int action) const {
+  ActionOutcome out{along(state, action, period_s_), growth_.A, growth_.N};
+  out.outside_m = outside_m(out.state);  // also for "stay", which keeps driving
   return out;
 }
 

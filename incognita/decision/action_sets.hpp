@@ -108,6 +108,10 @@ class SpeedChanges final : public ActionSet {
   int stay() const override { return stay_; }
   /// `state`: 13 numbers of the camera, then the speed (m/s) and turn rate (rad/s) of the vehicle.
   ActionOutcome after(const BlockVector& state, int action) const override;
+  /// The state `s` seconds after the action began, at most one period.
+  BlockVector along(const BlockVector& state, int action, double s) const;
+  /// Bound violation of a state, m.
+  double outside_m(const BlockVector& state) const { return bounds_.outside_m(state.head<3>()); }
   /// Speed and turn rate after the action, clamped.
   Eigen::Vector2d after(const Eigen::Vector2d& speeds, int action) const;
 

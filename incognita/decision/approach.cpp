@@ -37,9 +37,9 @@ double driven_heading(const BlockVector& state, const Mobility& m) {
   return heading_of(Eigen::Vector4d(state.segment<4>(3))) - m.yaw_rad;
 }
 
-void Approach::update(const RuleInput& now) {
-  note_stop(position_in(now.state, mobility_));
-  read_obstacles(now);
+void Approach::update(const BlockVector& state, const Surroundings& surroundings) {
+  note_stop(position_in(state, mobility_));
+  read_obstacles(state, surroundings);
 }
 
 /// The body was stopped if it covered less than half of the way of its action.
@@ -54,14 +54,14 @@ void Approach::note_stop(const Eigen::Vector3d& position) {
 }
 
 /// As points at the middle of their cones. Those beyond the planned way do not matter.
-void Approach::read_obstacles(const RuleInput& now) {
+void Approach::read_obstacles(const BlockVector& state, const Surroundings& surroundings) {
   obstacles_.clear();
-  if (!(mobility_.clearance_m > 0) || now.surroundings.obstacles.empty()) return;
-  const double heading = driven_heading(now.state, mobility_);
+  if (!(mobility_.clearance_m > 0) || surroundings.obstacles.empty()) return;
+  const double heading = driven_heading(state, mobility_);
   const Eigen::Vector3d ahead(std::cos(heading), std::sin(heading), 0);
-  const Eigen::Vector3d axle = position_in(now.state, mobility_) - mobility_.forward_m * ahead;
+  const Eigen::Vector3d axle = position_in(state, mobility_) - mobility_.forward_m * ahead;
   const double farthest = mobility_.clearance_m + aim_ahead_m(mobility_) + 2 * mobility_.step_m;
-  for (const ConeRange& cone : now.surroundings.obstacles) {
+  for (const ConeRange& cone : surroundings.obstacles) {
     const double towards = heading + cone.bearing_rad;
     if (cone.range_m < farthest)
       obstacles_.push_back(axle + cone.range_m * Eigen::Vector3d(std::cos(towards), std::sin(towards), 0));

@@ -18,10 +18,16 @@ class Approach {
   /// Cost of being in a state, s.
   using Cost = std::function<double(const BlockVector& state)>;
 
+  /// A straight way, m.
+  struct Leg {
+    Eigen::Vector3d from{0, 0, 0}, to{0, 0, 0};
+  };
+
   explicit Approach(const Mobility& mobility) : mobility_(mobility) {}
 
   /// To be called once per decision, before the others.
-  void update(const RuleInput& now);
+  void update(const RuleInput& now) { update(now.state, now.surroundings); }
+  void update(const BlockVector& state, const Surroundings& surroundings);
 
   /// The first of the next few actions with the least cost on their way; of several that are equal, "stay", then the first. One
   /// action alone hardly changes the direction of a vehicle, and leads no camera around what stopped it.
@@ -36,18 +42,17 @@ class Approach {
   double time_to_s(const BlockVector& state, const Eigen::Vector3d& to) const;
 
   const Mobility& mobility() const { return mobility_; }
+  /// The action that was chosen, by another than choose().
+  void go(const Leg& leg) {
+    if (mobility_.arrives) under_way_ = leg;
+  }
   /// The action under way no longer counts.
   void forget() { under_way_.reset(); }
   void state(StateArchive& archive);
 
-  /// A straight way, m.
-  struct Leg {
-    Eigen::Vector3d from{0, 0, 0}, to{0, 0, 0};
-  };
-
  private:
   void note_stop(const Eigen::Vector3d& position);
-  void read_obstacles(const RuleInput& now);
+  void read_obstacles(const BlockVector& state, const Surroundings& surroundings);
   bool was_stopped_at(const Eigen::Vector3d& position) const;
   double penalty_s(const ActionOutcome& outcome) const;
   double least_cost_s(const ActionSet& action_set, const BlockVector& state, int actions,

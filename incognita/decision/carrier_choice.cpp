@@ -1,7 +1,6 @@
 #include "incognita/decision/carrier_choice.hpp"
 
 namespace incognita {
-namespace {
 
 Mobility mobility_of(const DecisionSettings& s, const CarrierSettings& carrier) {
   Mobility can;
@@ -16,8 +15,6 @@ Mobility mobility_of(const DecisionSettings& s, const CarrierSettings& carrier) 
   can.arrives = false;
   return can;
 }
-
-}  // namespace
 
 CarrierChoice::CarrierChoice(const DecisionSettings& s, const CarrierSettings& carrier,
                              double sigma_acceleration_m_s2, double sigma_angular_acceleration_rad_s2,

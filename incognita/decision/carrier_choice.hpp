@@ -21,6 +21,9 @@ struct CarrierSettings {
       0;  ///< distance to keep from obstacles that are read, m; 0: they are left to the controller
 };
 
+/// How the actions move that vehicle.
+Mobility mobility_of(const DecisionSettings& settings, const CarrierSettings& carrier);
+
 class CarrierChoice final : public BodyChoice {
  public:
   /// Sigmas: acceleration noise of the filter's motion model, which has no wheel model. Throws

@@ -9,6 +9,7 @@
 #include "incognita/decision/free_camera_choice.hpp"
 #include "incognita/decision/ground_choice.hpp"
 #include "incognita/decision/image_expectation.hpp"
+#include "incognita/decision/plan/planned_choice.hpp"
 #include "incognita/decision/point_expectation.hpp"
 #include "incognita/slam/mapper/entropy_values.hpp"
 
@@ -23,6 +24,13 @@ std::unique_ptr<BodyChoice> choice_of(const ActiveSettings& s, const BodyModel& 
     throw std::invalid_argument(
         "exploration.expected_landmarks: must be more than 0 with decision.strategy = `frontier`, which goes to "
         "unseen cells of the exploration volume");
+  if (s.decision.strategy == DecisionSettings::Strategy::plan) {
+    if (s.carrier)
+      return std::make_unique<PlannedCarrierChoice>(
+          s.decision, *s.carrier, mobility_of(s.decision, *s.carrier), sigma_m_s2, sigma_rad_s2);
+    return std::make_unique<PlannedCameraChoice>(s.decision, free_mobility(s.decision, s.delay_s), sigma_m_s2,
+                                                 sigma_rad_s2);
+  }
   if (s.carrier)
     return std::make_unique<CarrierChoice>(s.decision, *s.carrier, sigma_m_s2, sigma_rad_s2, s.seed, who);
   return std::make_unique<FreeCameraChoice>(s.decision, sigma_m_s2, sigma_rad_s2, s.seed, who, s.delay_s);
@@ -57,6 +65,8 @@ Decision::Decision(std::vector<std::unique_ptr<BodyChoice>> choices, MapExpectat
   if (choices_.empty())
     throw std::invalid_argument("a decision needs one choice per body, and there is none");
   goal_.bodies.resize(choices_.size());
+  if (exploration.placed == ExplorationSettings::Placed::on_sides)
+    sides_.emplace(exploration, exploration.side_cell_m, exploration.patience_s);
 }
 
 void Decision::forget(std::size_t body) {
@@ -98,13 +108,22 @@ void Decision::explore(const Estimate& estimate, const Tick& tick) {
     exploration_.update(
         [&](const Eigen::Vector3d& position) { return expectation_.in_view(i, state, position); }, share,
         estimate.mapped_count());
+    if (sides_)
+      sides_->see([&](const Eigen::Vector3d& position) { return expectation_.in_view(i, state, position); },
+                  state.head<3>(), share);
   }
+  if (sides_) sides_->compare(estimate);
   goal_.coverage = exploration_.coverage();
   goal_.exploration = exploration_.volume();
 }
 
-Surroundings Decision::surroundings_of(std::size_t body, const Observation& observation) const {
+Surroundings Decision::surroundings_of(std::size_t body, const Estimate& estimate,
+                                       const Observation& observation) const {
   Surroundings around;
+  around.estimate = &estimate;
+  around.unmapped = sides_ ? sides_->expected() : exploration_.expected();
+  around.expected = sides_ ? sides_->count() : exploration_.settings().expected_landmarks;
+  around.expected_var_m2 = exploration_.settings().variance_expected_m2;
   if (exploration_.settings().expected_landmarks > 0) around.seen = exploration_.volume();
   around.in_view = [this, body](const BlockVector& state, const Eigen::Vector3d& position) {
     return expectation_.in_view(body, state, position);
@@ -126,9 +145,10 @@ Goal Decision::choose(const Estimate& estimate, const Observation& observation, 
       forget(i);
       continue;
     }
-    expectation_.prepare(estimate, i, exploration_.expected(), exploration_.settings().variance_expected_m2);
-    choices_[i]->choose(estimate.belief, estimate.bodies[i], expectation_, surroundings_of(i, observation),
-                        tick, goal_.bodies[i]);
+    expectation_.prepare(estimate, i, sides_ ? sides_->expected() : exploration_.expected(),
+                         exploration_.settings().variance_expected_m2);
+    choices_[i]->choose(estimate.belief, estimate.bodies[i], expectation_,
+                        surroundings_of(i, estimate, observation), tick, goal_.bodies[i]);
     decided |= goal_.bodies[i].decided;
   }
   if (entropy_ && decided && exploration_.settings().expected_landmarks > 0 &&

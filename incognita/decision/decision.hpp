@@ -13,6 +13,7 @@
 #include "incognita/decision/body_choice.hpp"
 #include "incognita/decision/carrier_choice.hpp"
 #include "incognita/decision/exploration.hpp"
+#include "incognita/decision/plan/side_cells.hpp"
 #include "incognita/decision/settings.hpp"
 #include "incognita/decision/strategy.hpp"
 #include "incognita/slam/estimator/slam_estimator.hpp"
@@ -44,12 +45,14 @@ class Decision final : public Strategy {
  private:
   void forget(std::size_t body);
   void explore(const Estimate& estimate, const Tick& tick);
-  Surroundings surroundings_of(std::size_t body, const Observation& observation) const;
+  Surroundings surroundings_of(std::size_t body, const Estimate& estimate,
+                               const Observation& observation) const;
   double since_last_call(const Tick& tick);
 
   std::vector<std::unique_ptr<BodyChoice>> choices_;
   MapExpectation expectation_;
   Exploration exploration_;
+  std::optional<SideCells> sides_;
   bool entropy_;
   Goal goal_;
   std::optional<double> last_t_;         ///< s, of the last call

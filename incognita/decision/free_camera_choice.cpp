@@ -1,6 +1,7 @@
 #include "incognita/decision/free_camera_choice.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "incognita/math/angles.hpp"
 #include "incognita/models/motion/heading.hpp"
@@ -15,6 +16,12 @@ Metric gaze_metric(Gaze gaze) {
   return gaze == Gaze::fisher_given_state ? Metric::fisher_given_state : Metric::state;
 }
 
+bool compares_turns(Gaze gaze) {
+  return gaze == Gaze::mutual_information || gaze == Gaze::fisher || gaze == Gaze::fisher_given_state;
+}
+
+}  // namespace
+
 Mobility free_mobility(const DecisionSettings& s, double delay_s) {
   const std::vector<Translation> actions = translations_of(s);
   const bool climbs = std::ranges::any_of(actions, [](const auto& a) { return a.displacement_m.z() != 0; });
@@ -27,12 +34,6 @@ Mobility free_mobility(const DecisionSettings& s, double delay_s) {
   can.arrives = delay_s <= soon * s.period_s;
   return can;
 }
-
-bool compares_turns(Gaze gaze) {
-  return gaze == Gaze::mutual_information || gaze == Gaze::fisher || gaze == Gaze::fisher_given_state;
-}
-
-}  // namespace
 
 FreeCameraChoice::FreeCameraChoice(const DecisionSettings& s, double sigma_acceleration_m_s2,
                                    double sigma_angular_acceleration_rad_s2, std::uint64_t seed,
@@ -51,6 +52,16 @@ void FreeCameraChoice::forget() {
   looking_ = false;
 }
 
+/// Up and down between the largest elevations at the rate of the gaze.
+void FreeCameraChoice::nod(double dt) {
+  if (settings_.max_elevation_rad == 0) return;
+  if (elevation_rate_rad_s_ == 0) elevation_rate_rad_s_ = settings_.gaze_rate_rad_s;
+  elevation_rad_ += elevation_rate_rad_s_ * dt;
+  if (std::abs(elevation_rad_) < settings_.max_elevation_rad) return;
+  elevation_rad_ = std::copysign(settings_.max_elevation_rad, elevation_rad_);
+  elevation_rate_rad_s_ = -std::copysign(settings_.gaze_rate_rad_s, elevation_rad_);
+}
+
 /// Integrates the heading at the current rate; the rate is chosen anew every gaze period, or in every tick towards a wanted
 /// heading.
 void FreeCameraChoice::turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
@@ -59,6 +70,7 @@ void FreeCameraChoice::turn(const AnyBelief& belief, BlockId vehicle, const Came
   const bool first = !looking_;
   if (first) {
     heading_rad_ = heading_of(free_camera::orientation(camera));
+    elevation_rad_ = settings_.max_elevation_rad > 0 ? elevation_of(free_camera::orientation(camera)) : 0;
     heading_rate_rad_s_ = settings_.gaze == Gaze::constant_rate ? settings_.gaze_rate_rad_s : 0;
     looking_ = true;
   } else {
@@ -85,6 +97,9 @@ void FreeCameraChoice::choose(const AnyBelief& belief, const Body& body, const E
     turn(belief, body.block, camera, expectation, wanted_rad, tick);
     goal.heading_rad = heading_rad_;
     goal.heading_rate_rad_s = heading_rate_rad_s_;
+    nod(tick.dt);
+    goal.elevation_rad = elevation_rad_;
+    goal.elevation_rate_rad_s = elevation_rate_rad_s_;
     translations_.turn_at(heading_rate_rad_s_);
   } else {
     goal.heading_rad.reset();  // an earlier strategy may have turned the gaze

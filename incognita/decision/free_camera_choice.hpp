@@ -12,6 +12,10 @@
 
 namespace incognita {
 
+/// How the actions move a free camera.
+/// `delay_s`: after which an operator begins a chosen action.
+Mobility free_mobility(const DecisionSettings& settings, double delay_s);
+
 class FreeCameraChoice final : public BodyChoice {
  public:
   /// Sigmas: of the unknown accelerations of the motion model. `who`: index in the team. `delay_s`: after which an operator
@@ -27,6 +31,7 @@ class FreeCameraChoice final : public BodyChoice {
   const std::vector<std::string>& names() const override { return choice_.names(); }
 
  private:
+  void nod(double dt);
   void turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
             const Expectation& expectation, std::optional<double> wanted_rad, const Tick& tick);
 
@@ -37,6 +42,7 @@ class FreeCameraChoice final : public BodyChoice {
   LookAhead gaze_;
   bool looking_ = false;  ///< whether the heading is initialized
   double heading_rad_ = 0, heading_rate_rad_s_ = 0, gaze_t_ = 0;
+  double elevation_rad_ = 0, elevation_rate_rad_s_ = 0;
 };
 
 }  // namespace incognita

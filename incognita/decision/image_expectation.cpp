@@ -1,8 +1,10 @@
 #include "incognita/decision/image_expectation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "incognita/decision/plan/side_cells.hpp"
 #include "incognita/slam/features/automatic_settings.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 
@@ -55,7 +57,7 @@ const ImageExpectation::Certainty& ImageExpectation::certainty_of(std::size_t ne
 
 /// Trace of H P H': a ranking heuristic (current covariance of the body), not the predicted innovation covariance.
 double ImageExpectation::innovation_trace(const VisibleLandmark& visible) const {
-  const auto& [near, Hv, Hl] = visible;
+  const auto& [near, pixel, Hv, Hl] = visible;
   const double trace = (Hv * P_body_).cwiseProduct(Hv).sum();
   if (near_[near].landmark->fixed) return trace;
   const Certainty& certainty = certainty_of(near);
@@ -71,7 +73,7 @@ void ImageExpectation::find_visible(const Viewpoint& from) const {
   for (std::size_t i = 0; i < near_.size(); ++i) {
     if (ahead.dot(near_[i].position - at) <= 0) continue;
     if (const auto match = predict_pixel(*near_[i].landmark, estimate_->belief, camera_, from.camera, slam_))
-      visible_.push_back({i, from.jacobian(match->Hv), match->Hl});
+      visible_.push_back({i, match->predicted, from.jacobian(match->Hv), match->Hl});
   }
 }
 
@@ -95,15 +97,27 @@ void ImageExpectation::add(const BlockVector& state, std::vector<PredictedMeasur
   add_unseen(state, view, measurements);
 }
 
+/// Whether a landmark is in view so near that no new one is initialized there.
+bool ImageExpectation::is_near_visible(const Eigen::Vector2d& pixel) const {
+  const double near_px = slam_.map.max_gap_px / 2.0;
+  return std::ranges::any_of(visible_, [&](const VisibleLandmark& visible) {
+    return (visible.pixel - pixel).lpNorm<Eigen::Infinity>() < near_px;
+  });
+}
+
 void ImageExpectation::add_unseen(const BlockVector& state, const Viewpoint& view,
                                   std::vector<PredictedMeasurement>& measurements) const {
   auto counted = static_cast<std::ptrdiff_t>(unseen_->size());
-  if (as_mapped_) counted = slam_.map.wanted_visible - static_cast<std::ptrdiff_t>(visible_.size());
+  const bool fills_gaps = slam_.map.max_gap_px > 0;
+  if (as_mapped_ && !fills_gaps)
+    counted = slam_.map.wanted_visible - static_cast<std::ptrdiff_t>(visible_.size());
   for (const ExpectedLandmark& unseen : *unseen_) {
     if (counted <= 0) break;
+    if (!sees_surface(free_camera::position(view.camera), unseen.position, unseen.normal)) continue;
     if (!in_view(state, unseen.position)) continue;
     const auto prediction = PointLandmark::predict_measurement(camera_, view.camera, unseen.position);
     if (!prediction) continue;
+    if (as_mapped_ && fills_gaps && is_near_visible(prediction->pixel)) continue;
     measurements.push_back({PredictedMeasurement::Of::unseen, 0, unseen.index, unseen_var_m2_,
                             view.jacobian(prediction->Hv), prediction->Hl, R_});
     --counted;

@@ -1,1 +1,1 @@
-incognita_module(decision FOLDERS decision USES incognita::slam)
+incognita_module(decision FOLDERS decision decision/plan USES incognita::slam)

@@ -3,6 +3,7 @@
 #include "incognita/decision/free_camera_choice.hpp"
 #include "incognita/decision/frontier.hpp"
 #include "incognita/decision/ground_choice.hpp"
+#include "incognita/decision/plan/planned_choice.hpp"
 #include "incognita/decision/route_rule.hpp"
 #include "incognita/decision/taken_over.hpp"
 #include "incognita/math/saved_state/matrices.hpp"
@@ -17,15 +18,16 @@ void serialize(Archive& archive, ManualDrive& drive) {
 
 template <AnyStateArchive Archive>
 void serialize(Archive& archive, BodyGoal& goal) {
-  auto& [scores, chosen, decided, from, to, start_t, end_t, heading_rad, heading_rate_rad_s, drive, manual] =
-      goal;
-  archive(scores, chosen, decided, from, to, start_t, end_t, heading_rad, heading_rate_rad_s, drive, manual);
+  auto& [scores, chosen, decided, from, to, start_t, end_t, heading_rad, heading_rate_rad_s, elevation_rad,
+         elevation_rate_rad_s, drive, manual] = goal;
+  archive(scores, chosen, decided, from, to, start_t, end_t, heading_rad, heading_rate_rad_s, elevation_rad,
+          elevation_rate_rad_s, drive, manual);
 }
 
 template <AnyStateArchive Archive>
 void serialize(Archive& archive, ExpectedLandmark& landmark) {
-  auto& [index, position] = landmark;
-  archive(index, position);
+  auto& [index, position, normal] = landmark;
+  archive(index, position, normal);
 }
 
 template <AnyStateArchive Archive>
@@ -75,15 +77,78 @@ void ActionChoice::state(StateArchive& archive) {
 }
 
 void FreeCameraChoice::state(StateArchive& archive) {
-  auto& [settings, translations, turns, choice, gaze, looking, heading_rad, heading_rate_rad_s, gaze_t] =
-      *this;
-  archive(choice, looking, heading_rad, heading_rate_rad_s, gaze_t);
+  auto& [settings, translations, turns, choice, gaze, looking, heading_rad, heading_rate_rad_s, gaze_t,
+         elevation_rad, elevation_rate_rad_s] = *this;
+  archive(choice, looking, heading_rad, heading_rate_rad_s, gaze_t, elevation_rad, elevation_rate_rad_s);
   if (archive.restores() && looking) translations.turn_at(heading_rate_rad_s);
 }
 
 void CarrierChoice::state(StateArchive& archive) {
   auto& [changes, choice, drive] = *this;
   archive(choice, drive);
+}
+
+template <AnyStateArchive Archive>
+void serialize(Archive& archive, PlannedMap::Taken& taken) {
+  auto& [block, row, errors, J] = taken;
+  archive(block, row, errors, J);
+}
+
+void PlannedMap::state(StateArchive& archive) {
+  auto& [body_errors, expected, expected_var_m2, taken, covariance] = *this;
+  archive(body_errors, expected, expected_var_m2, taken, covariance);
+}
+
+template <AnyStateArchive Archive>
+void serialize(Archive& archive, ImaginedMap::Expected& expected) {
+  auto& [index, P] = expected;
+  archive(index, P);
+}
+
+void ImaginedMap::state(StateArchive& archive) {
+  auto& [P, expected] = *this;
+  archive(P, expected);
+}
+
+template <AnyStateArchive Archive>
+void serialize(Archive& archive, PlanWorth& worth) {
+  auto& [outside_m, blocked, missing_matches, score] = worth;
+  archive(outside_m, blocked, missing_matches, score);
+}
+
+/// Of a comparison that has begun: plans of several moves are imagined when it is due.
+void Planner::state(StateArchive& archive) {
+  auto& [settings, map, root, worths, level, entropy_before, measurements, scores, evaluations] = *this;
+  bool has_begun = root.has_value();
+  archive(has_begun);
+  if (!has_begun) return root.reset();
+  if (!root) root = Node{0, {}, ImaginedMap(map)};
+  archive(map, root->state, root->map, worths, entropy_before);
+}
+
+void PlanAtPeriods::state(StateArchive& archive) {
+  auto& [settings, growth, planner, approach, scores, chosen, end_t] = *this;
+  archive(planner, approach, scores, chosen, end_t);
+}
+
+void PlannedCameraChoice::state(StateArchive& archive) {
+  auto& [moves, names, plan, looking, heading_rad, elevation_rad, rates_rad_s] = *this;
+  archive(plan, looking, heading_rad, elevation_rad, rates_rad_s);
+  plan.check_moves(names.size());
+}
+
+void PlannedCarrierChoice::state(StateArchive& archive) {
+  auto& [changes, moves, names, plan, drive] = *this;
+  archive(plan, drive);
+  plan.check_moves(names.size());
+}
+
+void SideCells::state(StateArchive& archive) {
+  std::vector<double> seen_s;
+  for (const Cell& cell : cells_) seen_s.push_back(cell.seen_s);
+  archive(seen_s, expected_);
+  if (seen_s.size() != cells_.size()) throw DamagedState("the cells of other walls");
+  for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i].seen_s = seen_s[i];
 }
 
 void GroundChoice::state(StateArchive& archive) {
@@ -100,11 +165,12 @@ void Exploration::state(StateArchive& archive) {
 }
 
 void Decision::state(StateArchive& archive) {
-  auto& [choices, expectation, exploration, entropy, goal, last_t, entropy_due_t] = *this;
+  auto& [choices, expectation, exploration, sides, entropy, goal, last_t, entropy_due_t] = *this;
   archive.expect_size(choices.size(), "bodies");
   for (const auto& choice : choices) choice->state(archive);
   auto& [bodies, coverage, entropy_extended, volume] = goal;
   bool explores = volume != nullptr;
+  if (sides) sides->state(archive);
   archive(exploration, bodies, coverage, entropy_extended, explores, last_t, entropy_due_t);
   if (bodies.size() != choices.size()) throw DamagedState("the goals of other bodies");
   if (archive.restores()) volume = explores ? exploration.volume() : nullptr;

@@ -17,6 +17,7 @@ struct DecisionSettings {
     fixed_path,     ///< the actions of `sequence`, cyclically
     lawn_mower,     ///< parallel lanes through the bounds
     wall_follower,  ///< around along the sides of the bounds
+    plan,           ///< motion and gaze together, several moves ahead, for pose and map to a resolution
     frontier,       ///< to where the nearest unseen cells come into view
     none            ///< always "stay"
   };
@@ -34,6 +35,13 @@ struct DecisionSettings {
   Metric metric = Metric::state;
   int horizon = 1;
   int max_evaluations = 1000;
+  int held_periods = 2;
+  int views_per_period = 2;
+  double resolution_m = 0.05;
+  int min_matches = 8;
+  double pose_weight = 1;
+  double discount_s = 10;
+  double prepare_s = 0.5;
   Schedule schedule = Schedule::every_frame;
   double step_m = 0.3;
   std::vector<Eigen::Vector3d> moves_m;
@@ -50,6 +58,7 @@ struct DecisionSettings {
 
   Gaze gaze = Gaze::swing;
   double gaze_rate_rad_s = 0.2;
+  double max_elevation_rad = 0;
   double gaze_period_s = 0.05;
   double gaze_ahead_s = 1.0;
 
@@ -65,6 +74,23 @@ struct DecisionSettings {
     setting(&S::horizon, "horizon", "", between(1, 20), "Number of actions planned ahead; 1: greedy");
     setting(&S::max_evaluations, "max_evaluations", "", between(1, 10000000),
             "Limit of the sets of predicted measurements in one comparison");
+    setting(&S::held_periods, "held_periods", "", between(1, 100),
+            "Periods for which the strategy `plan` holds each action after the first");
+    setting(&S::views_per_period, "views_per_period", "", between(1, 100),
+            "Views per action in which the strategy `plan` expects measurements");
+    setting(&S::resolution_m, "resolution_m", "m", above_up_to(0, 1e3),
+            "Accuracy that the strategy `plan` aims at: information beyond it is worth nothing");
+    setting(&S::min_matches, "min_matches", "", between(0, 10000),
+            "Landmarks of the map that must be expected in every view of a plan");
+    setting(&S::pose_weight, "pose_weight", "", between(0, 1e3),
+            "Weight of the information about the pose beside that about the landmarks in a plan");
+    setting(
+        &S::prepare_s, "prepare_s", "s", between(0, 1e4),
+        "Last part of an action in which the strategy `plan` prepares the next choice, a few candidates per frame; 0: all "
+        "at once when it is due");
+    setting(
+        &S::discount_s, "discount_s", "s", between(0, 1e4),
+        "Time after a plan in which the worth of what is still to be mapped falls to 1/e; 0: it is worth nothing");
     setting(&S::schedule, "schedule", "", any(),
             "Frames in which actions are scored: every one, those of a decision, or one action per frame");
     setting(&S::sequence, "sequence", "", any(),
@@ -93,6 +119,10 @@ struct DecisionSettings {
             "Rotation of a free camera; not used with the strategy `frontier`, which turns it itself");
     setting(&S::gaze_rate_rad_s, "gaze_rate_rad_s", "rad/s", between(0, 10),
             "Angular rate of the gaze, thesis 6.3.1");
+    setting(
+        &S::max_elevation_rad, "max_elevation_rad", "rad", between(0, 1.5),
+        "Largest elevation of the gaze above and below the horizon, between which it rises and falls at gaze_rate_rad_s where "
+        "no plan chooses it; 0: level, as in the thesis");
     setting(&S::gaze_period_s, "gaze_period_s", "s", between(0.001, 1e4),
             "Duration of a rotation, after which rotations are compared again");
     setting(&S::gaze_ahead_s, "gaze_ahead_s", "s", between(0.001, 1e4),
@@ -104,12 +134,19 @@ struct DecisionSettings {
 struct ExplorationSettings {
   /// Which of the unmapped landmarks in view count: all, or as many as a camera would initialize there
   enum class Counted { all, as_mapped };
+  enum class Placed {
+    in_volume,  ///< at random in unseen cells
+    on_sides    ///< on the walls, the floor and the ceiling
+  };
 
   int expected_landmarks = 0;
   double variance_expected_m2 = 1.5;
   Eigen::Vector3d min_m{-3, -3, 0};
   Eigen::Vector3d max_m{3, 3, 2.5};
   Counted counted = Counted::all;
+  Placed placed = Placed::in_volume;
+  double side_cell_m = 1;
+  double patience_s = 3;
   double cell_m = 0.5;
   double seen_s = 1;
 
@@ -122,6 +159,11 @@ struct ExplorationSettings {
             "Variance of each coordinate of an unmapped landmark, P_uu, thesis 6.3.1");
     setting(&S::counted, "counted", "", any(),
             "Unmapped landmarks in view that count: all, or as many as map.wanted_visible would initialize");
+    setting(&S::placed, "placed", "", any(), "Where unmapped landmarks are expected");
+    setting(&S::side_cell_m, "side_cell_m", "m", above_up_to(0, 1000),
+            "Side of the cells of the walls, floor and ceiling, each of which holds one landmark");
+    setting(&S::patience_s, "patience_s", "s", above_up_to(0, 1e4),
+            "Time in view after which such a cell without a landmark is given up");
     setting(&S::min_m, "volume_min_m", "m", any(), "Lower corner of the exploration volume");
     setting(&S::max_m, "volume_max_m", "m", any(), "Upper corner of the exploration volume");
     setting(&S::cell_m, "cell_m", "m", above_up_to(0, 1000), "Side of a cell of the exploration volume");

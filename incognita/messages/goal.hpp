@@ -27,6 +27,8 @@ struct BodyGoal {
   double end_t = 0;
   std::optional<double> heading_rad = {};  ///< at the end of the action, rad from +x about z; none: free
   double heading_rate_rad_s = 0;           ///< rate of heading_rad, positive to the left
+  double elevation_rad = 0;                ///< of the optical axis above the horizon, with heading_rad
+  double elevation_rate_rad_s = 0;
   /// A vehicle driven by velocity instead of a target position: speed, m/s, and turn rate, rad/s, positive to the left.
   std::optional<Eigen::Vector2d> drive = {};
   std::optional<ManualDrive> manual = {};  ///< taken over by a person, whatever else is set

@@ -21,8 +21,8 @@ void serialize(Archive& archive, Segment& segment) {
 
 template <AnyStateArchive Archive>
 void serialize(Archive& archive, Heading& heading) {
-  auto& [rad, rate_rad_s] = heading;
-  archive(rad, rate_rad_s);
+  auto& [rad, rate_rad_s, elevation_rad, elevation_rate_rad_s] = heading;
+  archive(rad, rate_rad_s, elevation_rad, elevation_rate_rad_s);
 }
 
 template <AnyStateArchive Archive>

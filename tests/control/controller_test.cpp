@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "incognita/control/fly_segment.hpp"
 #include "incognita/control/paths/reference.hpp"
 #include "incognita/control/steering_controller.hpp"
 #include "incognita/control/track_reference.hpp"
@@ -158,6 +159,19 @@ TEST(SteeringController, DisplaysTheGoalToAnOperatorAndCommandsNothing) {
   command = controller.act(estimate, goal, {}, {3, 0.3, 0.1}).bodies.at(0);
   EXPECT_TRUE(command.operator_controlled && !command.shown) << "come to rest";
   EXPECT_EQ(command.input.size(), 0);
+}
+
+/// A camera whose gaze and rates are those of a reference that turns and rises needs no angular acceleration.
+TEST(FlySegment, TurnsAtTheRatesOfARaisedGaze) {
+  const double elevation = 0.6, turn_rad_s = 0.3, rise_rad_s = 0.2, dt = 1e-6;
+  const Eigen::Vector4d now = gaze_at(1, elevation),
+                        later = gaze_at(1 + turn_rad_s * dt, elevation + rise_rad_s * dt);
+  CameraState x = CameraState::Zero();
+  x.segment<4>(3) = now;
+  x.tail<3>() = quaternion_log(quaternion_product<double>(quaternion_conjugate(now), later)) / dt;
+  const auto input = fly_segment(x, {{0, 0, 0}, {0, 0, 0}, 0, 1}, {1, turn_rad_s, elevation, rise_rad_s}, 0.5,
+                                 ControlSettings{});
+  EXPECT_NEAR(input.tail<3>().norm(), 0, 1e-5);
 }
 
 }  // namespace

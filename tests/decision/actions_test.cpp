@@ -32,6 +32,16 @@ TEST(Heading, IsThatOfTheLevelGaze) {
   }
 }
 
+TEST(Heading, AndElevationAreThoseOfTheGaze) {
+  for (const double heading : {-3.1, 0.0, 0.4, 2.0})
+    for (const double elevation : {-1.2, -0.3, 0.0, 0.8}) {
+      const Eigen::Vector4d gaze = gaze_at(heading, elevation);
+      EXPECT_NEAR(heading_of(gaze), heading, 1e-9);
+      EXPECT_NEAR(elevation_of(gaze), elevation, 1e-9);
+      EXPECT_NEAR(rotation_matrix(gaze)(2, 0), 0, 1e-12) << "no roll: the image rows are level";
+    }
+}
+
 /// A camera at the origin, facing +x, with one uncertain and one accurate landmark ahead.
 Estimate two_landmarks() {
   Estimate estimate;

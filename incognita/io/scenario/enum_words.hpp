@@ -97,6 +97,7 @@ inline constexpr auto enum_words<DecisionSettings::Strategy> =
          {DecisionSettings::Strategy::lawn_mower, "lawn-mower"},
          {DecisionSettings::Strategy::wall_follower, "wall-follower"},
          {DecisionSettings::Strategy::frontier, "frontier"},
+         {DecisionSettings::Strategy::plan, "plan"},
          {DecisionSettings::Strategy::none, "none"}});
 /// Metrics that compare actions; the Fisher traces only compare camera rotations.
 template <>
@@ -120,6 +121,11 @@ template <>
 inline constexpr auto enum_words<ExplorationSettings::Counted> =
     std::to_array<EnumWord<ExplorationSettings::Counted>>(
         {{ExplorationSettings::Counted::all, "all"}, {ExplorationSettings::Counted::as_mapped, "as-mapped"}});
+template <>
+inline constexpr auto enum_words<ExplorationSettings::Placed> =
+    std::to_array<EnumWord<ExplorationSettings::Placed>>(
+        {{ExplorationSettings::Placed::in_volume, "in-volume"},
+         {ExplorationSettings::Placed::on_sides, "on-sides"}});
 template <>
 inline constexpr auto enum_words<ControlLaw> =
     std::to_array<EnumWord<ControlLaw>>({{ControlLaw::none, "none"},

@@ -84,7 +84,9 @@ void decision(SettingReader& r, Scenario& s, bool accelerates) {
   DecisionSettings& d = s.decision;
   r.section("decision");
   r.some(d, &D::strategy, &D::metric, &D::horizon, &D::max_evaluations, &D::schedule, &D::sequence,
-         &D::lane_m, &D::wall_distance_m, &D::period_s, &D::min_bound_m, &D::max_bound_m);
+         &D::lane_m, &D::wall_distance_m, &D::held_periods, &D::views_per_period, &D::resolution_m,
+         &D::max_elevation_rad, &D::discount_s, &D::prepare_s, &D::min_matches, &D::pose_weight, &D::period_s,
+         &D::min_bound_m, &D::max_bound_m);
   if (!accelerates) {
     r.some(d, &D::step_m, &D::moves_m);
   } else {
@@ -94,7 +96,7 @@ void decision(SettingReader& r, Scenario& s, bool accelerates) {
   r.section("exploration");
   using E = ExplorationSettings;
   r.some(s.exploration, &E::expected_landmarks, &E::variance_expected_m2, &E::min_m, &E::max_m, &E::cell_m,
-         &E::seen_s);
+         &E::seen_s, &E::placed, &E::side_cell_m, &E::patience_s);
 }
 
 /// The rotation of a free camera.

@@ -6,10 +6,13 @@
 
 namespace incognita {
 
-/// Heading of a level camera about z from +x, rad, and its rate, positive to the left.
+/// Heading of a camera about z from +x, positive to the left, and elevation of its optical axis above the horizon, with
+/// their rates.
 struct Heading {
   double rad = 0;
   double rate_rad_s = 0;
+  double elevation_rad = 0;
+  double elevation_rate_rad_s = 0;
 };
 
 struct GazeSwing {

@@ -12,4 +12,9 @@ double heading_of(const Eigen::Vector4d& world_from_camera);
 /// world_from_camera of a level camera with this heading (rad, about z from +x).
 Eigen::Vector4d level_gaze(double heading_rad);
 
+/// world_from_camera of a camera that does not roll. `elevation_rad`: of the optical axis above the horizon.
+Eigen::Vector4d gaze_at(double heading_rad, double elevation_rad);
+/// Elevation of the optical axis above the horizon, rad.
+double elevation_of(const Eigen::Vector4d& world_from_camera);
+
 }  // namespace incognita

@@ -430,14 +430,27 @@ FeatureTracker::NewLandmarks FeatureTracker::new_landmarks(const Estimate& estim
           camera_.settings.map.max_landmarks - mapped - rays};
 }
 
+/// Landmarks in large parts of the image that hold none, a few in each frame.
+void FeatureTracker::fill_gaps(Estimate& estimate) {
+  constexpr int most_per_frame = 2;
+  const int cell_px = camera_.settings.map.max_gap_px;
+  const int possible = new_landmarks(estimate).possible;
+  if (cell_px == 0 || possible <= 0) return;
+  for (const Eigen::Vector2d& corner :
+       find_new_corners(pyramid_.image(), estimate, camera_, std::min(possible, most_per_frame), cell_px))
+    initialize_from_image(pyramid_, corner, estimate, camera_);
+}
+
 void FeatureTracker::add_landmarks(Estimate& estimate) {
+  fill_gaps(estimate);
   auto [wanted, possible] = new_landmarks(estimate);
   if (wanted > possible && camera_.settings.map.replace_when_full)
     possible += delete_least_matched(estimate, camera_, wanted - possible);
   wanted = std::min(wanted, possible);
   if (wanted <= 0) return;
   if (camera_.settings.initialization.selection == InitializationSettings::Selection::grid) {
-    for (const Eigen::Vector2d& corner : find_new_corners(pyramid_.image(), estimate, camera_, wanted))
+    for (const Eigen::Vector2d& corner :
+         find_new_corners(pyramid_.image(), estimate, camera_, wanted, cell_of_wanted_px(camera_)))
       initialize_from_image(pyramid_, corner, estimate, camera_);
     return;
   }

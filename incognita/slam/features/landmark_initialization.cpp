@@ -123,15 +123,21 @@ std::optional<Eigen::Vector2d> patch_center(const Image& image, const Corner& co
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> find_new_corners(const Image& image, const Estimate& estimate,
-                                              const TrackedCamera& camera, int count) {
+int cell_of_wanted_px(const TrackedCamera& camera) {
   constexpr double cells_per_landmark = 2;
+  const int rim = camera.settings.search.patch_size_px + 2;
+  const double width = camera.camera.width() - 2 * rim, height = camera.camera.height() - 2 * rim;
+  const double cells = cells_per_landmark * std::max(1, camera.settings.map.wanted_visible);
+  return static_cast<int>(std::sqrt(std::max(0.0, width * height) / cells));
+}
+
+std::vector<Eigen::Vector2d> find_new_corners(const Image& image, const Estimate& estimate,
+                                              const TrackedCamera& camera, int count, int cell_px) {
   const int patch = camera.settings.search.patch_size_px, rim = patch + 2;
   const int width = image.width() - 2 * rim, height = image.height() - 2 * rim;
   if (width < 1 || height < 1) return {};
   std::vector<Eigen::Vector2d> taken = occupied_pixels(estimate, camera), found;
-  const double cells = cells_per_landmark * std::max(1, camera.settings.map.wanted_visible);
-  const int side = std::max(patch + 4, static_cast<int>(std::sqrt(width * height / cells)));
+  const int side = std::max(patch + 4, cell_px);
   thread_local CornerMap map;
   map.assign(image, patch);
   std::vector<Corner> corners;

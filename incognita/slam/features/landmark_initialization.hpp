@@ -15,7 +15,9 @@ std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimat
 /// The strongest corners of the cells of a grid over the image that contain no predicted landmark, at most `count`, strongest
 /// first; each as find_new_corner() would accept it.
 std::vector<Eigen::Vector2d> find_new_corners(const Image& image, const Estimate& estimate,
-                                              const TrackedCamera& camera, int count);
+                                              const TrackedCamera& camera, int count, int cell_px);
+/// Side of the cells, px, of which half hold a landmark if as many as wanted are in view.
+int cell_of_wanted_px(const TrackedCamera& camera);
 
 /// Adds a landmark at a pixel of this image, as an inverse-depth landmark or as a ray with depth hypotheses,
 /// according to the settings. False when no patch can be cut or no ray maps to the pixel.

@@ -177,6 +177,7 @@ struct InitializationSettings {
 
 struct MapSettings {
   int wanted_visible = 0;
+  int max_gap_px = 0;
   int max_landmarks = 500;
   bool replace_when_full = true;
   double max_view_angle_rad = 0.7;
@@ -192,6 +193,10 @@ struct MapSettings {
         &S::wanted_visible, "wanted_visible", "", between(0, 10000),
         "Number of landmarks expected to match below which new ones are initialized; 0: by the size of the image, 60 "
         "at 640x480, and of point landmarks all in view");
+    setting(
+        &S::max_gap_px, "max_gap_px", "px", between(0, 16384),
+        "Side of a square of the image in which a new landmark is initialized if it holds none, even where enough are in "
+        "view; 0: no such squares");
     setting(&S::max_landmarks, "max_landmarks", "", between(1, 10000), "Limit of the number of landmarks");
     setting(
         &S::replace_when_full, "replace_when_full", "", any(),

@@ -1,0 +1,88 @@
+// What is known of a body and of the landmarks around it after measurements that are only imagined.
+//
+// The joint covariance of the body and of some landmarks of the map follows the Kalman filter along a plan, so that
+// correlations count: a drift that all of them share is not reduced by looking at them again. Landmarks that are
+// expected and not mapped yet are independent of each other given the path, whose uncertainty is noise of their
+// measurements.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "incognita/decision/predicted_measurement.hpp"
+#include "incognita/slam/mapper/estimate.hpp"
+
+namespace incognita {
+
+class StateArchive;
+
+/// Constant during one comparison of plans.
+class PlannedMap {
+ public:
+  /// Takes the body and those landmarks of the map; `expected`: number of landmarks that are expected, of variance
+  /// `expected_var_m2` per coordinate.
+  void start(const Estimate& estimate, std::size_t body, std::span<const BlockId> landmarks, int expected,
+             double expected_var_m2);
+
+  /// First row of a landmark's errors in the joint covariance; -1: it was not taken.
+  int row_of(BlockId block) const;
+  int body_errors() const { return body_errors_; }
+  const Eigen::MatrixXd& covariance() const { return covariance_; }
+  double expected_var_m2() const { return expected_var_m2_; }
+  int expected() const { return expected_; }
+
+  struct Taken {
+    BlockId block = 0;
+    int row = 0, errors = 0;
+    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 6> J;  ///< d(position) / d(errors)
+  };
+  const std::vector<Taken>& taken() const { return taken_; }
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
+
+ private:
+  int body_errors_ = 0, expected_ = 0;
+  double expected_var_m2_ = 0;
+  std::vector<Taken> taken_;
+  Eigen::MatrixXd covariance_;
+};
+
+/// What information is worth: none beyond these standard deviations.
+struct Resolution {
+  double position_m = 0.025;  ///< of a landmark and of the body, per coordinate
+  double angle_rad = 0.01;    ///< of the body
+};
+
+class ImaginedMap {
+ public:
+  explicit ImaginedMap(const PlannedMap& map);
+
+  /// The body moves: error after = A * error before + noise of covariance N.
+  void predict(const BlockMatrix& A, const BlockMatrix& N);
+  /// It measures. Measurements of landmarks that were not taken are left out.
+  void update(const PlannedMap& map, std::span<const PredictedMeasurement> measurements);
+
+  /// Information about the landmarks, about each as if it were alone, gained since the start, to that resolution, nats.
+  double about_map(const PlannedMap& map, const Resolution& resolution) const;
+  /// What is missing about an expected landmark to be known to that resolution, nats.
+  double missing_about(const PlannedMap& map, int expected_index, const Resolution& resolution) const;
+  /// Saves or restores: math/saved_state/.
+  void state(StateArchive& archive);
+  struct Expected {
+    int index;
+    Eigen::Matrix3d P;
+  };
+
+  /// Entropy of the pose of the body, to that resolution, nats: not of its velocities.
+  double entropy_of_pose(const Resolution& resolution) const;
+
+ private:
+  void update_known(const PlannedMap& map, std::span<const PredictedMeasurement> measurements);
+  void update_expected(const PredictedMeasurement& measurement, double var_m2);
+
+  Eigen::MatrixXd P_;               ///< of the body, then of the landmarks taken
+  std::vector<Expected> expected_;  ///< those measured so far, by index
+};
+
+}  // namespace incognita

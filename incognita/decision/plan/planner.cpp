@@ -1,0 +1,179 @@
+#include "incognita/decision/plan/planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace incognita {
+namespace {
+
+/// Thins the measurements of the map out, evenly; those that are expected stay.
+void thin_out(std::vector<PredictedMeasurement>& measurements, int most) {
+  const auto known = std::ranges::count_if(
+      measurements, [](const auto& m) { return m.of != PredictedMeasurement::Of::unseen; });
+  if (known <= most) return;
+  int passed = 0, kept = 0;
+  std::erase_if(measurements, [&](const PredictedMeasurement& m) {
+    if (m.of == PredictedMeasurement::Of::unseen) return false;
+    ++passed;
+    if (kept * known >= passed * most) return true;
+    ++kept;
+    return false;
+  });
+}
+
+int known_among(const std::vector<PredictedMeasurement>& measurements) {
+  return static_cast<int>(std::ranges::count_if(
+      measurements, [](const auto& m) { return m.of != PredictedMeasurement::Of::unseen; }));
+}
+
+}  // namespace
+
+bool is_better(const PlanWorth& a, const PlanWorth& b) {
+  return std::tuple(a.outside_m, a.blocked, a.missing_matches, -a.score) <
+         std::tuple(b.outside_m, b.blocked, b.missing_matches, -b.score);
+}
+
+/// Those that are in view most often after the moves, held for one period and for all.
+void Planner::take_landmarks(const Input& now, const BlockVector& start) {
+  std::map<BlockId, int> views;
+  const auto look = [&](const BlockVector& state) {
+    measurements_.clear();
+    now.expectation.expect(state, measurements_);
+    for (const PredictedMeasurement& m : measurements_)
+      if (m.of == PredictedMeasurement::Of::mapped) ++views[m.block];
+  };
+  look(now.state);
+  look(start);
+  int periods = 0;
+  for (const int held : settings_.held_periods) periods += held;
+  for (int move = 0; move < now.moves.count(); ++move) {
+    BlockVector state = start;
+    for (int p = 0, m = move; p < periods; ++p, m = now.moves.then(m)) {
+      state = now.moves.along(state, m, settings_.period_s);
+      if (p == 0 || p == periods - 1) look(state);
+    }
+  }
+  std::vector<std::pair<int, BlockId>> most;
+  for (const auto& [block, count] : views) most.push_back({-count, block});
+  std::ranges::sort(most);
+  most.resize(std::min(most.size(), static_cast<std::size_t>(settings_.max_landmarks)));
+  std::vector<BlockId> blocks;
+  for (const auto& [count, block] : most) blocks.push_back(block);
+  map_.start(now.estimate, now.body, blocks, now.expected, now.expected_var_m2);
+}
+
+/// The measurements from the state of the node correct what it knows.
+void Planner::view(const Input& now, Node& node) {
+  measurements_.clear();
+  now.expectation.expect(node.state, measurements_);
+  node.worth.missing_matches += std::max(0, settings_.min_matches - known_among(measurements_));
+  thin_out(measurements_, settings_.max_measured);
+  node.map.predict(now.growth.A, now.growth.N);
+  node.map.update(map_, measurements_);
+}
+
+void Planner::rate(const Input& now, Node& node) {
+  node.worth.score = node.map.about_map(map_, settings_.resolution) -
+                     settings_.pose_weight * node.map.entropy_of_pose(settings_.resolution);
+  if (settings_.discount_s > 0)
+    node.worth.score += information_to_go(node.state, now.unmapped, map_, node.map, settings_.resolution,
+                                          settings_.reach, settings_.period_s, settings_.discount_s);
+}
+
+Planner::Node Planner::after(const Input& now, const Node& from, int move, int periods) {
+  Node node = from;
+  const double between_s = settings_.period_s / settings_.views_per_period;
+  for (int p = 0; p < periods; ++p, move = now.moves.then(move)) {
+    const BlockVector begin = node.state;
+    for (int v = 1; v <= settings_.views_per_period; ++v) {
+      node.state = now.moves.along(begin, move, v * between_s);
+      view(now, node);
+    }
+    node.worth.outside_m = std::max(node.worth.outside_m, now.moves.outside_m(node.state));
+    node.worth.blocked = node.worth.blocked || !now.is_clear(node.state);
+  }
+  rate(now, node);
+  ++evaluations_;
+  return node;
+}
+
+void Planner::begin(const Input& now, const std::optional<UnderWay>& under_way) {
+  const BlockVector start =
+      under_way ? now.moves.along(now.state, under_way->move, under_way->left_s) : now.state;
+  take_landmarks(now, start);
+  root_ = Node{0, now.state, ImaginedMap(map_)};
+  if (under_way) {
+    const double between_s = settings_.period_s / settings_.views_per_period;
+    const auto views = static_cast<int>(std::lround(under_way->left_s / between_s));
+    for (int v = 1; v <= views; ++v) {
+      root_->state = now.moves.along(now.state, under_way->move, v * under_way->left_s / views);
+      view(now, *root_);
+    }
+    root_->state = start;
+    root_->worth = {};
+  }
+  entropy_before_ = settings_.pose_weight * root_->map.entropy_of_pose(settings_.resolution);
+  worths_.clear();
+  level_.clear();
+  evaluations_ = 0;
+}
+
+void Planner::imagine(const Input& now, int count) {
+  const int moves = now.moves.count();
+  for (int i = 0; i < count && static_cast<int>(worths_.size()) < moves; ++i) {
+    const auto move = static_cast<int>(worths_.size());
+    Node node = after(now, *root_, move, settings_.held_periods.front());
+    node.first = move;
+    node.worth.score += entropy_before_;
+    worths_.push_back(node.worth);
+    if (goes_deeper()) level_.push_back(std::move(node));
+  }
+}
+
+int Planner::choose(const Input& now) {
+  imagine(now, now.moves.count());
+  scores_.clear();
+  for (const PlanWorth& worth : worths_) scores_.push_back(worth.score);
+  const int best = goes_deeper()
+                       ? choose_deeper(now)
+                       : static_cast<int>(std::ranges::min_element(worths_, is_better) - worths_.begin());
+  root_.reset();
+  return best;
+}
+
+/// The best ones first, as many as the evaluations that are left can expand.
+void Planner::keep_best(std::vector<Node>& nodes, int levels_left, int moves) const {
+  std::ranges::stable_sort(nodes, is_better, &Node::worth);
+  if (levels_left == 0) return;
+  const int kept = std::max(1, (settings_.max_evaluations - evaluations_) / (moves * levels_left));
+  if (kept < static_cast<int>(nodes.size())) nodes.erase(nodes.begin() + kept, nodes.end());
+}
+
+int Planner::choose_deeper(const Input& now) {
+  const int moves = now.moves.count(), levels = static_cast<int>(settings_.held_periods.size());
+  std::vector<bool> goes_on(static_cast<std::size_t>(moves), false);
+  std::vector<Node> next = std::move(level_);
+  for (int depth = 1; depth < levels; ++depth) {
+    keep_best(next, levels - depth, moves);
+    std::swap(level_, next);
+    next.clear();
+    for (const Node& node : level_)
+      for (int move = 0; move < moves; ++move) {
+        next.push_back(after(now, node, move, settings_.held_periods[static_cast<std::size_t>(depth)]));
+        next.back().worth.score += entropy_before_;
+      }
+  }
+  keep_best(next, 0, moves);
+  for (const Node& node : next) {
+    const auto first = static_cast<std::size_t>(node.first);
+    if (!goes_on[first] || node.worth.score > scores_[first]) scores_[first] = node.worth.score;
+    goes_on[first] = true;
+  }
+  level_.clear();
+  return next.front().first;
+}
+
+}  // namespace incognita

@@ -1,0 +1,280 @@
+// Plans of motion and gaze: moves, imagined knowledge, what is left to map, comparison in parts.
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <vector>
+
+#include "incognita/decision/image_expectation.hpp"
+#include "incognita/decision/plan/cost_to_go.hpp"
+#include "incognita/decision/plan/moves.hpp"
+#include "incognita/decision/plan/planner.hpp"
+#include "incognita/decision/plan/side_cells.hpp"
+#include "incognita/math/random.hpp"
+#include "incognita/math/saved_state/state_archive.hpp"
+#include "incognita/models/motion/heading.hpp"
+#include "incognita/models/sensors/wide_angle_camera.hpp"
+
+namespace incognita {
+namespace {
+
+constexpr double expected_var_m2 = 1.5;
+const WorldBounds room{{-2.5, -2.5, 0.4}, {2.5, 2.5, 2.1}};
+
+/// A camera at 1 m height that faces +x, points 2 to 3 m ahead, and landmarks that are expected elsewhere.
+struct Scene {
+  Estimate estimate;
+  BlockVector camera = CameraState::Zero();
+  std::vector<ExpectedLandmark> unmapped;
+
+  explicit Scene(int landmarks) {
+    camera.segment<4>(3) = level_gaze(0);
+    camera[2] = 1;
+    FreeCameraMotion::Jacobian P = 1e-4 * FreeCameraMotion::Jacobian::Identity();
+    estimate.bodies.emplace_back().block =
+        estimate.belief.add_vehicle(FreeCameraMotion::chart, CameraState(camera), P);
+    estimate.started = true;
+    RandomStream random(7, "test");
+    for (int i = 0; i < landmarks; ++i) {
+      Landmark landmark{};
+      landmark.camera = 0;
+      landmark.id = new_id(estimate);
+      const Eigen::Vector3d at(2 + random.uniform(), random.uniform() - 0.5, random.uniform() + 0.5);
+      const double sigma = 0.01 + 0.1 * random.uniform();
+      landmark.block =
+          estimate.belief.augment(PointLandmark::chart, at, {}, sigma * sigma * Eigen::Matrix3d::Identity());
+      estimate.landmarks.emplace(landmark.id, landmark);
+    }
+  }
+};
+
+/// What one camera measures, and nothing else.
+class OneCamera final : public Expectation {
+ public:
+  explicit OneCamera(const Scene& scene) : camera_(WideAngleCamera{}, CameraSlamSettings{}, false) {
+    camera_.prepare(scene.estimate, scene.unmapped, expected_var_m2);
+  }
+  void expect(const BlockVector& state, std::vector<PredictedMeasurement>& measurements) const override {
+    measurements.clear();
+    camera_.add(state, measurements);
+  }
+
+ private:
+  ImageExpectation camera_;
+};
+
+JointMoves moves_of(double gaze_rate_rad_s, double max_elevation_rad) {
+  return JointMoves(translations_of(DecisionSettings{}), 1, gaze_rate_rad_s, max_elevation_rad, room);
+}
+
+/// Direction of a turn: 1 to the left, -1 to the right.
+int moves_left(int turn) { return static_cast<int>(std::lround(moves_of(1, 0.8).rates_of(turn).x())); }
+
+struct Comparison {
+  const Scene& scene;
+  JointMoves moves = moves_of(1.2, 0.8);
+  Growth growth = growth_over(0.5, 0.3, 0.3);
+  OneCamera expectation{scene};
+
+  Planner::Input now() const {
+    return {scene.estimate,  0,
+            scene.camera,    moves,
+            growth,          expectation,
+            scene.unmapped,  static_cast<int>(scene.unmapped.size()),
+            expected_var_m2, [](const BlockVector&) { return true; }};
+  }
+};
+
+TEST(JointMoves, AreEachTranslationWithEachTurn) {
+  const JointMoves level = moves_of(0.4, 0), all = moves_of(0.4, 0.8);
+  EXPECT_EQ(level.count(), 7 * 3);
+  EXPECT_EQ(all.count(), 7 * 9);
+  EXPECT_EQ(all.names()[static_cast<std::size_t>(all.stay()) + 3], "stay_turning_up");
+  const Scene scene(0);
+  EXPECT_EQ(all.along(scene.camera, all.stay(), 1), scene.camera);
+}
+
+TEST(JointMoves, TurnAtTheirRatesUpToTheLargestElevation) {
+  const JointMoves moves = moves_of(0.4, 0.5);
+  const Scene scene(0);
+  const auto gaze = [](const BlockVector& state) { return Eigen::Vector4d(state.segment<4>(3)); };
+  const BlockVector left = moves.along(scene.camera, moves.stay() + 1, 0.5),
+                    up = moves.along(scene.camera, moves.stay() + 3, 1),
+                    highest = moves.along(up, moves.stay() + 3, 1);
+  EXPECT_NEAR(heading_of(gaze(left)), 0.2, 1e-9);
+  EXPECT_NEAR(elevation_of(gaze(up)), 0.4, 1e-9);
+  EXPECT_NEAR(elevation_of(gaze(highest)), 0.5, 1e-9);
+}
+
+TEST(TimeToView, IsThatOfTheLongerOfMotionAndTurn) {
+  const Eigen::Vector3d at(0, 0, 1), ahead(1, 0, 0);
+  const Reach reach{.speed_m_s = 0.5, .turn_rate_rad_s = 0.4, .half_view_rad = 0.5, .distance_m = 3};
+  EXPECT_EQ(time_to_view_s(at, ahead, {0, {2, 0, 1}}, reach), 0);
+  EXPECT_NEAR(time_to_view_s(at, ahead, {0, {5, 0, 1}}, reach), 2 / 0.5, 1e-9);
+  EXPECT_NEAR(time_to_view_s(at, ahead, {0, {-2, 0, 1}}, reach), (M_PI - 0.5) / 0.4, 1e-9);
+}
+
+TEST(TimeToView, LeadsToWhereASurfaceIsNotSeenAlongIt) {
+  const Eigen::Vector3d at(0, 0, 1), ahead(1, 0, 0);
+  // The floor, 1 m below, is seen under 30 degrees or more up to sqrt(3) m away
+  EXPECT_NEAR(time_to_view_s(at, ahead, {0, {2.5, 0, 0}, {0, 0, 1}}, {.speed_m_s = 1}), 2.5 - std::sqrt(3.0),
+              1e-9);
+}
+
+TEST(ImaginedMap, IsCorrectedLikeTheJointGaussian) {
+  const Scene scene(6);
+  const OneCamera expectation(scene);
+  std::vector<PredictedMeasurement> measurements;
+  expectation.expect(scene.camera, measurements);
+  ASSERT_EQ(measurements.size(), 6u);
+  std::vector<BlockId> blocks;
+  for (const auto& m : measurements) blocks.push_back(m.block);
+  PlannedMap map;
+  map.start(scene.estimate, 0, blocks, 0, expected_var_m2);
+  Eigen::MatrixXd information = map.covariance().inverse();
+  for (const auto& m : measurements) {
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(2, information.rows());
+    H.leftCols(m.Hv.cols()) = m.Hv;
+    H.middleCols(map.row_of(m.block), 3) = m.Hl;
+    information += H.transpose() * m.R.inverse() * H;
+  }
+  ImaginedMap imagined(map);
+  imagined.update(map, measurements);
+  const Eigen::MatrixXd P = information.inverse();
+  EXPECT_NEAR(imagined.entropy_of_pose({0, 0}), std::log(P.topLeftCorner<6, 6>().determinant()) / 2, 1e-6);
+}
+
+TEST(InformationToGo, IsLessTheFartherAndNothingOnceKnown) {
+  Scene scene(0);
+  PlannedMap map;
+  map.start(scene.estimate, 0, {}, 2, expected_var_m2);
+  const ImaginedMap imagined(map);
+  const auto to_go = [&](const ExpectedLandmark& landmark) {
+    return information_to_go(scene.camera, std::vector{landmark}, map, imagined, {}, {}, 1, 10);
+  };
+  const double near = to_go({0, {2, 0, 1}}), far = to_go({0, {6, 0, 1}});
+  EXPECT_GT(near, far);
+  EXPECT_NEAR(far / near, std::exp(-(3 / 0.3) / 10), 1e-9);
+  PlannedMap precise;
+  precise.start(scene.estimate, 0, {}, 2, 1e-6);
+  EXPECT_EQ(information_to_go(scene.camera, std::vector{ExpectedLandmark{0, {2, 0, 1}}}, precise,
+                              ImaginedMap(precise), {}, {}, 1, 10),
+            0);
+}
+
+TEST(Planner, TurnsToWhatIsUnmapped) {
+  Scene scene(12);
+  for (int i = 0; i < 5; ++i) scene.unmapped.push_back({i, {0.3 * i, 3, 1}});  // to the left
+  const Comparison comparison{scene};
+  Planner planner({.min_matches = 0});
+  planner.begin(comparison.now(), std::nullopt);
+  const int move = planner.choose(comparison.now());
+  EXPECT_EQ(moves_left(move % 9), 1) << comparison.moves.names()[static_cast<std::size_t>(move)];
+}
+
+TEST(Planner, KeepsEnoughLandmarksInView) {
+  Scene scene(12);
+  for (int i = 0; i < 5; ++i) scene.unmapped.push_back({i, {0.3 * i, 3, 1}});
+  Comparison comparison{scene};
+  comparison.moves = moves_of(1.57, 0.8);  // one turn leads away from all that is mapped
+  for (const int least : {0, 8}) {
+    Planner planner({.min_matches = least});
+    planner.begin(comparison.now(), std::nullopt);
+    const int turn = planner.choose(comparison.now()) % 9;
+    if (least == 0)
+      EXPECT_EQ(moves_left(turn), 1);
+    else
+      EXPECT_EQ(moves_left(turn), 0);
+  }
+}
+
+TEST(Planner, ComparesInPartsAsAtOnce) {
+  Scene scene(10);
+  scene.unmapped = {{0, {1, 3, 1}}, {1, {2, -3, 2}}};
+  const Comparison comparison{scene};
+  const Planner::UnderWay forward{0, 0.5};
+  Planner at_once({}), in_parts({});
+  at_once.begin(comparison.now(), forward);
+  in_parts.begin(comparison.now(), forward);
+  for (int i = 0; i < 20; ++i) in_parts.imagine(comparison.now(), 3);
+  EXPECT_EQ(in_parts.choose(comparison.now()), at_once.choose(comparison.now()));
+  EXPECT_EQ(in_parts.scores(), at_once.scores());
+  EXPECT_FALSE(in_parts.has_begun());
+}
+
+TEST(Planner, GoesOnAfterItWasRestored) {
+  Scene scene(10);
+  scene.unmapped = {{0, {1, 3, 1}}, {1, {2, -3, 2}}};
+  const Comparison comparison{scene};
+  Planner planner({}), restored({});
+  planner.begin(comparison.now(), Planner::UnderWay{0, 0.5});
+  planner.imagine(comparison.now(), 11);
+  StateWriter writer;
+  StateArchive to(writer);
+  planner.state(to);
+  StateReader reader(writer.bytes());
+  StateArchive from(reader);
+  restored.state(from);
+  EXPECT_EQ(reader.left(), 0u);
+  EXPECT_EQ(restored.choose(comparison.now()), planner.choose(comparison.now()));
+  EXPECT_EQ(restored.scores(), planner.scores());
+}
+
+TEST(Planner, LooksFartherWithMoreLevels) {
+  Scene scene(10);
+  scene.unmapped = {{0, {1, 3, 1}}};
+  const Comparison comparison{scene};
+  Planner planner({.held_periods = {1, 2}, .max_evaluations = 200});
+  planner.begin(comparison.now(), std::nullopt);
+  planner.choose(comparison.now());
+  EXPECT_GT(planner.evaluations(), comparison.moves.count());
+  EXPECT_LE(planner.evaluations(), 200);
+}
+
+/// A box of 4 x 4 x 2 m.
+ExplorationSettings small_room() {
+  ExplorationSettings settings;
+  settings.min_m = {-2, -2, 0};
+  settings.max_m = {2, 2, 2};
+  return settings;
+}
+
+TEST(SideCells, ExpectOneLandmarkPerCellUntilOneIsMappedThere) {
+  SideCells sides(small_room(), 1, 3);
+  Scene scene(0);
+  sides.compare(scene.estimate);
+  EXPECT_EQ(sides.count(), 2 * 16 + 4 * 8);
+  EXPECT_EQ(sides.expected().size(), 64u);
+  Landmark landmark{};
+  landmark.id = new_id(scene.estimate);
+  landmark.block = scene.estimate.belief.augment(PointLandmark::chart, Eigen::Vector3d(2.1, 0.4, 0.6), {},
+                                                 1e-4 * Eigen::Matrix3d::Identity());
+  scene.estimate.landmarks.emplace(landmark.id, landmark);
+  sides.compare(scene.estimate);
+  EXPECT_EQ(sides.expected().size(), 63u);
+  for (const ExpectedLandmark& expected : sides.expected())
+    EXPECT_FALSE(expected.position.isApprox(Eigen::Vector3d(2, 0.5, 0.5)));
+}
+
+TEST(SideCells, GiveUpWhatWasInViewForLongWithoutALandmark) {
+  SideCells sides(small_room(), 1, 3);
+  const Scene scene(0);
+  const auto look = [&](double s) {
+    sides.see([](const Eigen::Vector3d& at) { return at.x() > 1.9; }, {0, 0, 1}, s);
+    sides.compare(scene.estimate);
+  };
+  look(2);
+  EXPECT_EQ(sides.expected().size(), 64u);
+  look(2);
+  EXPECT_EQ(sides.expected().size(), 64u - 8);  // of the wall at +x: other sides there are seen along them
+}
+
+TEST(SideCells, AreSeenUnderThirtyDegreesOrMore) {
+  EXPECT_TRUE(sees_surface({0, 0, 1}, {1.7, 0, 0}, {0, 0, 1}));
+  EXPECT_FALSE(sees_surface({0, 0, 1}, {1.8, 0, 0}, {0, 0, 1}));
+  EXPECT_FALSE(sees_surface({0, 0, -1}, {0, 0, 0}, {0, 0, 1})) << "from behind";
+  EXPECT_TRUE(sees_surface({0, 0, 1}, {9, 0, 0}, {0, 0, 0})) << "on no surface";
+}
+
+}  // namespace
+}  // namespace incognita

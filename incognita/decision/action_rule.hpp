@@ -43,8 +43,7 @@ struct Surroundings {
   std::function<bool(const BlockVector& state, const Eigen::Vector3d& position)> in_view = {};
   const Estimate* estimate = nullptr;
   std::span<const ExpectedLandmark> unmapped = {};
-  int expected = 0;            ///< landmarks that are expected, as the expectation predicts them
-  double expected_var_m2 = 0;  ///< of each coordinate
+  double expected_var_m2 = 0;                 ///< of each of their coordinates
   std::span<const ConeRange> obstacles = {};  ///< readings of this tick; empty without such a sensor
 };
 

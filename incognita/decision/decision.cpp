@@ -65,8 +65,7 @@ Decision::Decision(std::vector<std::unique_ptr<BodyChoice>> choices, MapExpectat
   if (choices_.empty())
     throw std::invalid_argument("a decision needs one choice per body, and there is none");
   goal_.bodies.resize(choices_.size());
-  if (exploration.placed == ExplorationSettings::Placed::on_sides)
-    sides_.emplace(exploration, exploration.side_cell_m, exploration.patience_s);
+  if (exploration.placed == ExplorationSettings::Placed::on_sides) sides_.emplace(exploration);
 }
 
 void Decision::forget(std::size_t body) {
@@ -122,7 +121,6 @@ Surroundings Decision::surroundings_of(std::size_t body, const Estimate& estimat
   Surroundings around;
   around.estimate = &estimate;
   around.unmapped = sides_ ? sides_->expected() : exploration_.expected();
-  around.expected = sides_ ? sides_->count() : exploration_.settings().expected_landmarks;
   around.expected_var_m2 = exploration_.settings().variance_expected_m2;
   if (exploration_.settings().expected_landmarks > 0) around.seen = exploration_.volume();
   around.in_view = [this, body](const BlockVector& state, const Eigen::Vector3d& position) {

@@ -24,6 +24,7 @@ struct ExpectedLandmark {
   int index = 0;  ///< identity, constant while it is expected
   Eigen::Vector3d position{0, 0, 0};
   Eigen::Vector3d normal{0, 0, 0};  ///< of the surface that it is expected on, inward; zero: on none
+  double probability = 1;           ///< that there is a landmark to map
 };
 
 class Exploration {

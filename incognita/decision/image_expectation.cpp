@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "incognita/decision/plan/side_cells.hpp"
+#include "incognita/decision/plan/expected_surface.hpp"
 #include "incognita/slam/features/automatic_settings.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 

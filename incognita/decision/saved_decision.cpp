@@ -26,8 +26,8 @@ void serialize(Archive& archive, BodyGoal& goal) {
 
 template <AnyStateArchive Archive>
 void serialize(Archive& archive, ExpectedLandmark& landmark) {
-  auto& [index, position, normal] = landmark;
-  archive(index, position, normal);
+  auto& [index, position, normal, probability] = landmark;
+  archive(index, position, normal, probability);
 }
 
 template <AnyStateArchive Archive>
@@ -90,13 +90,13 @@ void CarrierChoice::state(StateArchive& archive) {
 
 template <AnyStateArchive Archive>
 void serialize(Archive& archive, PlannedMap::Taken& taken) {
-  auto& [block, row, errors, J] = taken;
-  archive(block, row, errors, J);
+  auto& [block, row, errors, J, position, moved] = taken;
+  archive(block, row, errors, J, position, moved);
 }
 
 void PlannedMap::state(StateArchive& archive) {
-  auto& [body_errors, expected, expected_var_m2, taken, covariance] = *this;
-  archive(body_errors, expected, expected_var_m2, taken, covariance);
+  auto& [body_errors, expected_var_m2, taken, covariance] = *this;
+  archive(body_errors, expected_var_m2, taken, covariance);
 }
 
 template <AnyStateArchive Archive>
@@ -143,10 +143,16 @@ void PlannedCarrierChoice::state(StateArchive& archive) {
   plan.check_moves(names.size());
 }
 
+void ObjectFaces::state(StateArchive& archive) {
+  auto& [min, max, size, cells, patience, first, seen_s, expected] = *this;
+  archive(seen_s, expected);
+}
+
 void SideCells::state(StateArchive& archive) {
   std::vector<double> seen_s;
-  for (const Cell& cell : cells_) seen_s.push_back(cell.seen_s);
+  for (const SideCell& cell : cells_) seen_s.push_back(cell.seen_s);
   archive(seen_s, expected_);
+  objects_.state(archive);
   if (seen_s.size() != cells_.size()) throw DamagedState("the cells of other walls");
   for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i].seen_s = seen_s[i];
 }

@@ -162,8 +162,9 @@ struct ExplorationSettings {
     setting(&S::placed, "placed", "", any(), "Where unmapped landmarks are expected");
     setting(&S::side_cell_m, "side_cell_m", "m", above_up_to(0, 1000),
             "Side of the cells of the walls, floor and ceiling, each of which holds one landmark");
-    setting(&S::patience_s, "patience_s", "s", above_up_to(0, 1e4),
-            "Time in view after which such a cell without a landmark is given up");
+    setting(
+        &S::patience_s, "patience_s", "s", above_up_to(0, 1e4),
+        "Time in view without a landmark in which the probability that such a cell holds one falls to 1/e");
     setting(&S::min_m, "volume_min_m", "m", any(), "Lower corner of the exploration volume");
     setting(&S::max_m, "volume_max_m", "m", any(), "Upper corner of the exploration volume");
     setting(&S::cell_m, "cell_m", "m", above_up_to(0, 1000), "Side of a cell of the exploration volume");

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "incognita/decision/plan/side_cells.hpp"
+#include "incognita/decision/plan/expected_surface.hpp"
 #include "incognita/math/quaternion.hpp"
 
 namespace incognita {
@@ -29,13 +29,15 @@ double information_to_go(const BlockVector& state, std::span<const ExpectedLandm
                          const PlannedMap& map, const ImaginedMap& imagined, const Resolution& resolution,
                          const Reach& reach, double start_s, double discount_s) {
   const Eigen::Vector3d position = state.head<3>();
-  const Eigen::Vector3d ahead = rotation_matrix<double>(Eigen::Vector4d(state.segment<4>(3))).col(2);
+  const Eigen::Matrix3d R = rotation_matrix<double>(Eigen::Vector4d(state.segment<4>(3)));
+  const Eigen::Vector3d ahead = R.col(2);
   double nats = 0;
   for (const ExpectedLandmark& landmark : expected) {
-    const double missing = imagined.missing_about(map, landmark.index, resolution);
+    const double missing =
+        imagined.missing_about(map, landmark.index, landmark.position - position, R, resolution);
     if (missing <= 0) continue;
     const double t = start_s + time_to_view_s(position, ahead, landmark, reach);
-    nats += missing * std::exp(-t / discount_s);
+    nats += landmark.probability * missing * std::exp(-t / discount_s);
   }
   return nats;
 }

@@ -17,7 +17,7 @@ struct Reach {
   double speed_m_s = 0.3;
   double turn_rate_rad_s = 0.2;
   double half_view_rad = 0.5;  ///< angle to the optical axis within which a landmark is in view
-  double distance_m = 3;       ///< from which a landmark is mapped well
+  double distance_m = 1.8;     ///< from which landmarks lie so far apart in the image that each is mapped
 };
 
 /// Time until a camera can view a landmark, s: it moves and turns at once, and nothing is in its way. `position`: of the camera,

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incognita/math/quaternion.hpp"
+
 namespace incognita {
 namespace {
 
 constexpr int pose_errors = 6;  // position, orientation
+constexpr double most_moved_m = 0.03;
 
 /// log |P + r^2 I|.
 double log_det_to(const Eigen::Matrix3d& P, double resolution_m) {
@@ -18,11 +21,10 @@ double log_det_to(const Eigen::Matrix3d& P, double resolution_m) {
 }  // namespace
 
 void PlannedMap::start(const Estimate& estimate, std::size_t body, std::span<const BlockId> landmarks,
-                       int expected, double expected_var_m2) {
+                       double expected_var_m2) {
   const AnyBelief& belief = estimate.belief;
   const BlockId of_body = estimate.bodies[body].block;
   body_errors_ = belief.chart(of_body).tangent();
-  expected_ = expected;
   expected_var_m2_ = expected_var_m2;
   taken_.clear();
   int rows = body_errors_;
@@ -31,7 +33,7 @@ void PlannedMap::start(const Estimate& estimate, std::size_t body, std::span<con
     const auto position = position_of(landmark.form, belief.mean(landmark.block));
     if (!position || position->position.size() != 3) continue;
     const int errors = belief.chart(landmark.block).tangent();
-    taken_.push_back({landmark.block, rows, errors, position->J});
+    taken_.push_back({landmark.block, rows, errors, position->J, position->position});
     rows += errors;
   }
   covariance_.resize(rows, rows);
@@ -50,9 +52,18 @@ void PlannedMap::start(const Estimate& estimate, std::size_t body, std::span<con
   }
 }
 
+void PlannedMap::leave_out_moved(const Estimate& estimate) {
+  for (const auto& [id, landmark] : estimate.landmarks) {
+    const auto taken = std::ranges::find(taken_, landmark.block, &Taken::block);
+    if (landmark.fixed || taken == taken_.end()) continue;
+    const auto now = position_of(landmark.form, estimate.belief.mean(landmark.block));
+    taken->moved |= !now || (now->position - taken->position).norm() > most_moved_m;
+  }
+}
+
 int PlannedMap::row_of(BlockId block) const {
   const auto found = std::ranges::find(taken_, block, &Taken::block);
-  return found == taken_.end() ? -1 : found->row;
+  return found == taken_.end() || found->moved ? -1 : found->row;
 }
 
 ImaginedMap::ImaginedMap(const PlannedMap& map) : P_(map.covariance()) {}
@@ -133,20 +144,32 @@ double ImaginedMap::about_map(const PlannedMap& map, const Resolution& resolutio
                           is = l.J * P_.block(l.row, l.row, l.errors, l.errors) * l.J.transpose();
     nats += (log_det_to(was, resolution.position_m) - log_det_to(is, resolution.position_m)) / 2;
   }
-  const double expected =
-      log_det_to(map.expected_var_m2() * Eigen::Matrix3d::Identity(), resolution.position_m);
-  for (const Expected& e : expected_) nats += (expected - log_det_to(e.P, resolution.position_m)) / 2;
   return nats;
 }
 
-double ImaginedMap::missing_about(const PlannedMap& map, int expected_index,
-                                  const Resolution& resolution) const {
+double ImaginedMap::about_expected(const PlannedMap& map, std::span<const ExpectedLandmark> expected,
+                                   const Resolution& resolution) const {
+  const double before =
+      log_det_to(map.expected_var_m2() * Eigen::Matrix3d::Identity(), resolution.position_m);
+  double nats = 0;
+  for (const Expected& e : expected_) {
+    const auto found = std::ranges::find(expected, e.index, &ExpectedLandmark::index);
+    if (found == expected.end()) continue;
+    nats += found->probability * (before - log_det_to(e.P, resolution.position_m)) / 2;
+  }
+  return nats;
+}
+
+double ImaginedMap::missing_about(const PlannedMap& map, int expected_index, const Eigen::Vector3d& way,
+                                  const Eigen::Matrix3d& R, const Resolution& resolution) const {
   const auto found = std::ranges::find(expected_, expected_index, &Expected::index);
   const Eigen::Matrix3d P =
       found == expected_.end() ? map.expected_var_m2() * Eigen::Matrix3d::Identity() : found->P;
-  const double known = log_det_to(resolution.position_m * resolution.position_m * Eigen::Matrix3d::Identity(),
-                                  resolution.position_m);
-  return std::max(0.0, (log_det_to(P, resolution.position_m) - known) / 2);
+  Eigen::Matrix<double, 3, pose_errors> J;
+  J << Eigen::Matrix3d::Identity(), -skew(way) * R;
+  const Eigen::Matrix3d of_body = J * P_.topLeftCorner<pose_errors, pose_errors>() * J.transpose();
+  return std::max(0.0,
+                  (log_det_to(P, resolution.position_m) - log_det_to(of_body, resolution.position_m)) / 2);
 }
 
 double ImaginedMap::entropy_of_pose(const Resolution& resolution) const {

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "incognita/decision/exploration.hpp"
 #include "incognita/decision/predicted_measurement.hpp"
 #include "incognita/slam/mapper/estimate.hpp"
 
@@ -20,29 +21,33 @@ class StateArchive;
 /// Constant during one comparison of plans.
 class PlannedMap {
  public:
-  /// Takes the body and those landmarks of the map; `expected`: number of landmarks that are expected, of variance
-  /// `expected_var_m2` per coordinate.
-  void start(const Estimate& estimate, std::size_t body, std::span<const BlockId> landmarks, int expected,
+  /// Takes the body and those landmarks of the map. `expected_var_m2`: variance of each coordinate of an expected landmark.
+  void start(const Estimate& estimate, std::size_t body, std::span<const BlockId> landmarks,
              double expected_var_m2);
 
-  /// First row of a landmark's errors in the joint covariance; -1: it was not taken.
+  /// Measurements of landmarks whose estimate has moved since start() tell nothing: predicted from where they are now, they do not
+  /// fit the covariance, and would seem to fix the heading.
+  void leave_out_moved(const Estimate& estimate);
+
+  /// First row of a landmark's errors in the joint covariance; -1: it was not taken, or has moved.
   int row_of(BlockId block) const;
   int body_errors() const { return body_errors_; }
   const Eigen::MatrixXd& covariance() const { return covariance_; }
   double expected_var_m2() const { return expected_var_m2_; }
-  int expected() const { return expected_; }
 
   struct Taken {
     BlockId block = 0;
     int row = 0, errors = 0;
     Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 6> J;  ///< d(position) / d(errors)
+    Eigen::Vector3d position{0, 0, 0};                    ///< world, m
+    bool moved = false;                                   ///< since then
   };
   const std::vector<Taken>& taken() const { return taken_; }
   /// Saves or restores: math/saved_state/.
   void state(StateArchive& archive);
 
  private:
-  int body_errors_ = 0, expected_ = 0;
+  int body_errors_ = 0;
   double expected_var_m2_ = 0;
   std::vector<Taken> taken_;
   Eigen::MatrixXd covariance_;
@@ -65,8 +70,13 @@ class ImaginedMap {
 
   /// Information about the landmarks, about each as if it were alone, gained since the start, to that resolution, nats.
   double about_map(const PlannedMap& map, const Resolution& resolution) const;
-  /// What is missing about an expected landmark to be known to that resolution, nats.
-  double missing_about(const PlannedMap& map, int expected_index, const Resolution& resolution) const;
+  /// The same about the expected landmarks, each times the probability that it is there.
+  double about_expected(const PlannedMap& map, std::span<const ExpectedLandmark> expected,
+                        const Resolution& resolution) const;
+  /// What measurements from a body that is known as here can still tell of an expected landmark, nats. `way`: to it from the body,
+  /// `R`: world_from_body, whose axes errors of the orientation have.
+  double missing_about(const PlannedMap& map, int expected_index, const Eigen::Vector3d& way,
+                       const Eigen::Matrix3d& R, const Resolution& resolution) const;
   /// Saves or restores: math/saved_state/.
   void state(StateArchive& archive);
   struct Expected {

@@ -70,7 +70,6 @@ bool PlanAtPeriods::choose(const BlockVector& state, const MoveSet& moves, const
       growth_,
       expectation,
       around.unmapped,
-      around.expected,
       around.expected_var_m2,
       [&](const BlockVector& at) { return approach_.is_clear(position_in(at, approach_.mobility())); }};
   if (!is_due) {

@@ -62,7 +62,7 @@ void Planner::take_landmarks(const Input& now, const BlockVector& start) {
   most.resize(std::min(most.size(), static_cast<std::size_t>(settings_.max_landmarks)));
   std::vector<BlockId> blocks;
   for (const auto& [count, block] : most) blocks.push_back(block);
-  map_.start(now.estimate, now.body, blocks, now.expected, now.expected_var_m2);
+  map_.start(now.estimate, now.body, blocks, now.expected_var_m2);
 }
 
 /// The measurements from the state of the node correct what it knows.
@@ -76,7 +76,8 @@ void Planner::view(const Input& now, Node& node) {
 }
 
 void Planner::rate(const Input& now, Node& node) {
-  node.worth.score = node.map.about_map(map_, settings_.resolution) -
+  node.worth.score = node.map.about_map(map_, settings_.resolution) +
+                     node.map.about_expected(map_, now.unmapped, settings_.resolution) -
                      settings_.pose_weight * node.map.entropy_of_pose(settings_.resolution);
   if (settings_.discount_s > 0)
     node.worth.score += information_to_go(node.state, now.unmapped, map_, node.map, settings_.resolution,
@@ -123,6 +124,7 @@ void Planner::begin(const Input& now, const std::optional<UnderWay>& under_way) 
 
 void Planner::imagine(const Input& now, int count) {
   const int moves = now.moves.count();
+  map_.leave_out_moved(now.estimate);
   for (int i = 0; i < count && static_cast<int>(worths_.size()) < moves; ++i) {
     const auto move = static_cast<int>(worths_.size());
     Node node = after(now, *root_, move, settings_.held_periods.front());

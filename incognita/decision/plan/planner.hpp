@@ -57,9 +57,8 @@ class Planner {
     const MoveSet& moves;
     const Growth& growth;  ///< over the time between two views
     const Expectation& expectation;
-    std::span<const ExpectedLandmark> unmapped;  ///< as the expectation predicts them
-    int expected;                                ///< their number at the start, and their variance
-    double expected_var_m2;
+    std::span<const ExpectedLandmark> unmapped;              ///< as the expectation predicts them
+    double expected_var_m2;                                  ///< of each of their coordinates
     std::function<bool(const BlockVector& state)> is_clear;  ///< of obstacles that are known
   };
 

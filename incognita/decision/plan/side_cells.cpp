@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incognita/decision/plan/expected_surface.hpp"
+
 namespace incognita {
+namespace {
 
-SideCells::SideCells(const ExplorationSettings& settings, double cell_m, double patience_s)
-    : cell_m_(cell_m), patience_s_(patience_s) {
-  for (int axis = 0; axis < 3; ++axis)
-    for (const bool upper : {false, true}) add_side(axis, upper, settings, cell_m);
-}
+constexpr double on_side_m = 0.15;  // of a landmark on a side of the volume
+constexpr double hidden_m = 0.6;    // from a landmark on an object to what it hides
 
-void SideCells::add_side(int axis, bool upper, const ExplorationSettings& s, double cell_m) {
+void add_side(int axis, bool upper, const ExplorationSettings& s, double cell_m,
+              std::vector<SideCell>& cells) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const Eigen::Vector3d size = s.max_m - s.min_m;
   const auto across = [&](int along) {
@@ -19,41 +20,69 @@ void SideCells::add_side(int axis, bool upper, const ExplorationSettings& s, dou
   };
   for (int i = 0; i < across(u); ++i)
     for (int j = 0; j < across(v); ++j) {
-      Cell cell;
+      SideCell cell;
       cell.center[axis] = upper ? s.max_m[axis] : s.min_m[axis];
       cell.center[u] = s.min_m[u] + (i + 0.5) / across(u) * size[u];
       cell.center[v] = s.min_m[v] + (j + 0.5) / across(v) * size[v];
-      cell.normal.setZero();
       cell.normal[axis] = upper ? -1 : 1;
-      cells_.push_back(cell);
+      cells.push_back(cell);
     }
 }
+
+std::vector<SideCell> cells_of(const ExplorationSettings& settings) {
+  std::vector<SideCell> cells;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool upper : {false, true}) add_side(axis, upper, settings, settings.side_cell_m, cells);
+  return cells;
+}
+
+}  // namespace
+
+SideCells::SideCells(const ExplorationSettings& settings)
+    : cell_m_(settings.side_cell_m),
+      min_m_(settings.min_m),
+      max_m_(settings.max_m),
+      patience_s_(settings.patience_s),
+      cells_(cells_of(settings)),
+      objects_(settings, static_cast<int>(cells_.size())) {}
 
 void SideCells::see(const std::function<bool(const Eigen::Vector3d&)>& in_view, const Eigen::Vector3d& camera,
                     double dt) {
-  for (Cell& cell : cells_)
-    if (cell.seen_s < patience_s_ && sees_surface(camera, cell.center, cell.normal) && in_view(cell.center))
-      cell.seen_s += dt;
+  for (SideCell& cell : cells_)
+    if (sees_surface(camera, cell.center, cell.normal) && in_view(cell.center)) cell.seen_s += dt;
+  objects_.see(in_view, camera, dt);
 }
 
-void SideCells::compare(const Estimate& estimate) {
-  constexpr double off_side_m = 0.6;
+std::vector<bool> SideCells::covered_by(const Estimate& estimate) const {
   std::vector<bool> covered(cells_.size(), false);
   for (const auto& [id, landmark] : estimate.landmarks) {
     const auto position = position_of(landmark, estimate);
-    if (!position || position->position.size() != 3) continue;
+    if (landmark.fixed || !position || position->position.size() != 3) continue;
     const Eigen::Vector3d at = position->position;
+    const double nearest_m =
+        std::min((at - min_m_).cwiseAbs().minCoeff(), (max_m_ - at).cwiseAbs().minCoeff());
+    // Near an edge a landmark is on the nearest side alone. An object hides what is near behind it
+    const double within_m = nearest_m < on_side_m ? nearest_m : hidden_m;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       const Eigen::Vector3d off = at - cells_[i].center, normal = cells_[i].normal;
       const double away = off.dot(normal);
-      covered[i] = covered[i] || (std::abs(away) < off_side_m &&
+      covered[i] = covered[i] || (std::abs(away) <= within_m &&
                                   (off - away * normal).lpNorm<Eigen::Infinity>() < cell_m_ / 2);
     }
   }
+  return covered;
+}
+
+void SideCells::compare(const Estimate& estimate) {
+  const std::vector<bool> covered = covered_by(estimate);
   expected_.clear();
-  for (std::size_t i = 0; i < cells_.size(); ++i)
-    if (!covered[i] && cells_[i].seen_s < patience_s_)
-      expected_.push_back({static_cast<int>(i), cells_[i].center, cells_[i].normal});
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const double probability = covered[i] ? 0 : still_there(cells_[i].seen_s, patience_s_);
+    if (probability > 0)
+      expected_.push_back({static_cast<int>(i), cells_[i].center, cells_[i].normal, probability});
+  }
+  objects_.compare(estimate);
+  expected_.insert(expected_.end(), objects_.expected().begin(), objects_.expected().end());
 }
 
 }  // namespace incognita

@@ -1,7 +1,8 @@
-// What is expected to be mapped where the exploration volume is a room: one landmark on each cell of its walls, floor and ceiling.
+// What is expected to be mapped where the exploration volume is a room: one landmark on each cell of its walls, floor and ceiling
+// and on the faces of the objects in it (object_faces.hpp).
 //
-// A cell holds none any more once a landmark of the map is there, or once it was seen for so long that one would be: boxes hide it,
-// or it has no texture. A cell is seen only from where its texture can be matched, not along the surface.
+// A cell holds none any more once a landmark of the map is on it or close in front of it. The longer a cell was in view without one,
+// the less probable it is that there is one to map: an object hides it, or it has no texture.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,13 +10,19 @@
 #include <vector>
 
 #include "incognita/decision/exploration.hpp"
+#include "incognita/decision/plan/object_faces.hpp"
 #include "incognita/slam/mapper/estimate.hpp"
 
 namespace incognita {
 
+struct SideCell {
+  Eigen::Vector3d center{0, 0, 0}, normal{0, 0, 0};
+  double seen_s = 0;
+};
+
 class SideCells {
  public:
-  SideCells(const ExplorationSettings& settings, double cell_m, double patience_s);
+  explicit SideCells(const ExplorationSettings& settings);
 
   /// Time in view, in every tick.
   void see(const std::function<bool(const Eigen::Vector3d&)>& in_view, const Eigen::Vector3d& camera,
@@ -27,28 +34,15 @@ class SideCells {
   /// Saves or restores: math/saved_state/.
   void state(StateArchive& archive);
 
-  int count() const { return static_cast<int>(cells_.size()); }
-
  private:
-  struct Cell {
-    Eigen::Vector3d center, normal;
-    double seen_s = 0;
-  };
-  void add_side(int axis, bool upper, const ExplorationSettings& settings, double cell_m);
+  std::vector<bool> covered_by(const Estimate& estimate) const;
 
-  double cell_m_, patience_s_;
-  std::vector<Cell> cells_;
+  double cell_m_;
+  Eigen::Vector3d min_m_, max_m_;
+  double patience_s_;
+  std::vector<SideCell> cells_;
+  ObjectFaces objects_;
   std::vector<ExpectedLandmark> expected_;
 };
-
-/// Sine of the angle to a surface from which a landmark on it can be matched.
-inline constexpr double least_sine_to_surface = 0.5;
-
-/// Whether `camera` sees a surface at `position` well enough; always without a normal (zero).
-inline bool sees_surface(const Eigen::Vector3d& camera, const Eigen::Vector3d& position,
-                         const Eigen::Vector3d& normal) {
-  return normal.isZero() ||
-         normal.dot(camera - position) >= least_sine_to_surface * (camera - position).norm();
-}
 
 }  // namespace incognita

@@ -17,8 +17,14 @@ namespace incognita {
 namespace {
 
 std::unique_ptr<BodyChoice> choice_of(const ActiveSettings& s, const BodyModel& body, std::size_t who) {
-  if (!traits_of(body.motion).in_space())
-    return std::make_unique<GroundChoice>(s.decision, body, s.tick_s, s.seed, who);
+  const bool in_space = traits_of(body.motion).in_space();
+  if (!in_space && s.decision.strategy == DecisionSettings::Strategy::plan)
+    throw std::invalid_argument(
+        "decision.strategy: `plan` needs a free camera or a vehicle that carries one; take another");
+  if (!in_space && s.exploration.placed == ExplorationSettings::Placed::on_sides)
+    throw std::invalid_argument(
+        "exploration.placed: `on-sides` needs bodies that move in space; take `in-volume`");
+  if (!in_space) return std::make_unique<GroundChoice>(s.decision, body, s.tick_s, s.seed, who);
   const double sigma_m_s2 = body.input_sigmas[0], sigma_rad_s2 = body.input_sigmas[3];
   if (s.decision.strategy == DecisionSettings::Strategy::frontier && s.exploration.expected_landmarks == 0)
     throw std::invalid_argument(

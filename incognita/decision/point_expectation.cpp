@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "incognita/decision/plan/expected_surface.hpp"
 #include "incognita/slam/mapper/measurements.hpp"
 
 namespace incognita {
@@ -119,6 +120,7 @@ void PointExpectation::add(const BlockVector& state, std::vector<PredictedMeasur
   add_visible(own, from, measurements);
   keep_most_uncertain(measurements, first);
   for (const ExpectedLandmark& unseen : *unseen_) {
+    if (dimensions == 3 && !sees_surface(from, unseen.position, unseen.normal)) continue;
     const SmallVector point = unseen.position.head(dimensions);
     const auto prediction = predict_from(own, from, {}, point, point);
     if (!prediction) continue;

@@ -118,12 +118,13 @@ void serialize(Archive& archive, PlanWorth& worth) {
 
 /// Of a comparison that has begun: plans of several moves are imagined when it is due.
 void Planner::state(StateArchive& archive) {
-  auto& [settings, map, root, worths, level, entropy_before, measurements, scores, evaluations] = *this;
+  auto& [settings, map, unmapped, root, worths, level, entropy_before, measurements, scores, evaluations] =
+      *this;
   bool has_begun = root.has_value();
   archive(has_begun);
   if (!has_begun) return root.reset();
   if (!root) root = Node{0, {}, ImaginedMap(map)};
-  archive(map, root->state, root->map, worths, entropy_before);
+  archive(map, unmapped, root->state, root->map, worths, entropy_before);
 }
 
 void PlanAtPeriods::state(StateArchive& archive) {

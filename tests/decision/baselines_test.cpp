@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "incognita/decision/decision.hpp"
 #include "incognita/decision/approach.hpp"
+#include "incognita/decision/decision.hpp"
 #include "incognita/decision/frontier.hpp"
 #include "incognita/decision/lawn_mower.hpp"
 #include "incognita/math/angles.hpp"

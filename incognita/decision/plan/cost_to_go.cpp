@@ -22,7 +22,8 @@ double time_to_view_s(const Eigen::Vector3d& position, const Eigen::Vector3d& ah
   }
   const double angle_rad = distance_m > 0 ? std::acos(std::clamp(ahead.dot(way) / distance_m, -1.0, 1.0)) : 0;
   const double turn_rad = std::max(0.0, angle_rad - reach.half_view_rad);
-  return std::max(move_m / reach.speed_m_s, turn_rad / reach.turn_rate_rad_s);
+  return std::max(move_m > 0 ? move_m / reach.speed_m_s : 0,
+                  turn_rad > 0 ? turn_rad / reach.turn_rate_rad_s : 0);
 }
 
 double information_to_go(const BlockVector& state, std::span<const ExpectedLandmark> expected,

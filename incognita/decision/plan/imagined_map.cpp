@@ -56,6 +56,7 @@ void PlannedMap::leave_out_moved(const Estimate& estimate) {
   for (const auto& [id, landmark] : estimate.landmarks) {
     const auto taken = std::ranges::find(taken_, landmark.block, &Taken::block);
     if (landmark.fixed || taken == taken_.end()) continue;
+    taken->moved |= estimate.belief.chart(landmark.block).tangent() != taken->errors;  // a point by now
     const auto now = position_of(landmark.form, estimate.belief.mean(landmark.block));
     taken->moved |= !now || (now->position - taken->position).norm() > most_moved_m;
   }

@@ -25,7 +25,7 @@ class PlannedMap {
   void start(const Estimate& estimate, std::size_t body, std::span<const BlockId> landmarks,
              double expected_var_m2);
 
-  /// Measurements of landmarks whose estimate has moved since start() tell nothing: predicted from where they are now, they do not
+  /// Measurements of landmarks whose estimate has moved, or has another form, since start() tell nothing: predicted from where they are now, they do not
   /// fit the covariance, and would seem to fix the heading.
   void leave_out_moved(const Estimate& estimate);
 

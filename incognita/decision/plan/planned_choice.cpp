@@ -49,10 +49,10 @@ void PlanAtPeriods::check_moves(std::size_t count) const {
 
 /// Imagines moves in the last part of the period, equally many in each tick.
 void PlanAtPeriods::prepare(const Planner::Input& now, const Tick& tick) {
-  const double left_s = end_t_ - tick.t;
-  if (left_s > settings_.prepare_s || settings_.horizon > 1) return;
-  if (!planner_.has_begun()) planner_.begin(now, Planner::UnderWay{chosen_, left_s});
-  const int ticks = std::max(1, static_cast<int>(std::lround(settings_.prepare_s / tick.dt)));
+  const double left_s = end_t_ - tick.t, prepare_s = std::min(settings_.prepare_s, settings_.period_s);
+  if (left_s > prepare_s || settings_.horizon > 1) return;
+  if (!planner_.has_begun()) planner_.begin(now, Planner::UnderWay{now.moves.then(chosen_), left_s});
+  const int ticks = std::max(1, static_cast<int>(std::lround(prepare_s / tick.dt)));
   planner_.imagine(now, (now.moves.count() + ticks - 1) / ticks);
 }
 

@@ -28,7 +28,6 @@ class PlanAtPeriods {
   int chosen() const { return chosen_; }
   double end_t() const { return end_t_; }
   const std::vector<double>& scores() const { return scores_; }
-  Approach& approach() { return approach_; }
 
  private:
   void prepare(const Planner::Input& now, const Tick& tick);

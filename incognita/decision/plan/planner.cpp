@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "incognita/math/quaternion.hpp"
+
 namespace incognita {
 namespace {
 
@@ -22,6 +24,16 @@ void thin_out(std::vector<PredictedMeasurement>& measurements, int most) {
     ++kept;
     return false;
   });
+}
+
+/// Errors of the orientation are in the axes of the body, which turn with it.
+BlockMatrix turned(const BlockMatrix& A, const BlockVector& before, const BlockVector& after) {
+  constexpr int rotation = 3;  // first row of these errors
+  const Eigen::Matrix3d R_before = rotation_matrix<double>(Eigen::Vector4d(before.segment<4>(3))),
+                        R_after = rotation_matrix<double>(Eigen::Vector4d(after.segment<4>(3)));
+  BlockMatrix out = A;
+  out.middleRows(rotation, 3) = R_after.transpose() * R_before * A.middleRows(rotation, 3);
+  return out;
 }
 
 int known_among(const std::vector<PredictedMeasurement>& measurements) {
@@ -65,22 +77,25 @@ void Planner::take_landmarks(const Input& now, const BlockVector& start) {
   map_.start(now.estimate, now.body, blocks, now.expected_var_m2);
 }
 
-/// The measurements from the state of the node correct what it knows.
-void Planner::view(const Input& now, Node& node) {
+/// The measurements from the state of the node correct what it knows. `before`: the state at the view before.
+void Planner::view(const Input& now, const BlockVector& before, Node& node) {
   measurements_.clear();
   now.expectation.expect(node.state, measurements_);
   node.worth.missing_matches += std::max(0, settings_.min_matches - known_among(measurements_));
+  std::erase_if(measurements_, [&](const PredictedMeasurement& m) {
+    return m.of == PredictedMeasurement::Of::mapped && map_.row_of(m.block) < 0;
+  });
   thin_out(measurements_, settings_.max_measured);
-  node.map.predict(now.growth.A, now.growth.N);
+  node.map.predict(turned(now.growth.A, before, node.state), now.growth.N);
   node.map.update(map_, measurements_);
 }
 
-void Planner::rate(const Input& now, Node& node) {
+void Planner::rate(Node& node) const {
   node.worth.score = node.map.about_map(map_, settings_.resolution) +
-                     node.map.about_expected(map_, now.unmapped, settings_.resolution) -
+                     node.map.about_expected(map_, unmapped_, settings_.resolution) -
                      settings_.pose_weight * node.map.entropy_of_pose(settings_.resolution);
   if (settings_.discount_s > 0)
-    node.worth.score += information_to_go(node.state, now.unmapped, map_, node.map, settings_.resolution,
+    node.worth.score += information_to_go(node.state, unmapped_, map_, node.map, settings_.resolution,
                                           settings_.reach, settings_.period_s, settings_.discount_s);
 }
 
@@ -90,13 +105,14 @@ Planner::Node Planner::after(const Input& now, const Node& from, int move, int p
   for (int p = 0; p < periods; ++p, move = now.moves.then(move)) {
     const BlockVector begin = node.state;
     for (int v = 1; v <= settings_.views_per_period; ++v) {
+      const BlockVector before = node.state;
       node.state = now.moves.along(begin, move, v * between_s);
-      view(now, node);
+      view(now, before, node);
     }
     node.worth.outside_m = std::max(node.worth.outside_m, now.moves.outside_m(node.state));
     node.worth.blocked = node.worth.blocked || !now.is_clear(node.state);
   }
-  rate(now, node);
+  rate(node);
   ++evaluations_;
   return node;
 }
@@ -105,13 +121,15 @@ void Planner::begin(const Input& now, const std::optional<UnderWay>& under_way) 
   const BlockVector start =
       under_way ? now.moves.along(now.state, under_way->move, under_way->left_s) : now.state;
   take_landmarks(now, start);
+  unmapped_.assign(now.unmapped.begin(), now.unmapped.end());
   root_ = Node{0, now.state, ImaginedMap(map_)};
   if (under_way) {
     const double between_s = settings_.period_s / settings_.views_per_period;
     const auto views = static_cast<int>(std::lround(under_way->left_s / between_s));
     for (int v = 1; v <= views; ++v) {
+      const BlockVector before = root_->state;
       root_->state = now.moves.along(now.state, under_way->move, v * under_way->left_s / views);
-      view(now, *root_);
+      view(now, before, *root_);
     }
     root_->state = start;
     root_->worth = {};

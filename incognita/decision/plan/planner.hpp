@@ -93,18 +93,19 @@ class Planner {
   };
   bool goes_deeper() const { return settings_.held_periods.size() > 1; }
   void take_landmarks(const Input& now, const BlockVector& start);
-  void view(const Input& now, Node& node);
-  void rate(const Input& now, Node& node);
+  void view(const Input& now, const BlockVector& before, Node& node);
+  void rate(Node& node) const;
   Node after(const Input& now, const Node& from, int move, int periods);
   void keep_best(std::vector<Node>& nodes, int levels_left, int moves) const;
   int choose_deeper(const Input& now);
 
   PlannerSettings settings_;
   PlannedMap map_;
-  std::optional<Node> root_;       ///< while plans are compared
-  std::vector<PlanWorth> worths_;  ///< of the first moves imagined so far
-  std::vector<Node> level_;        ///< the same, where plans go deeper
-  double entropy_before_ = 0;      ///< of the pose, at the root
+  std::vector<ExpectedLandmark> unmapped_;  ///< when the comparison began: all moves are rated by the same
+  std::optional<Node> root_;                ///< while plans are compared
+  std::vector<PlanWorth> worths_;           ///< of the first moves imagined so far
+  std::vector<Node> level_;                 ///< the same, where plans go deeper
+  double entropy_before_ = 0;               ///< of the pose, at the root
   std::vector<PredictedMeasurement> measurements_;
   std::vector<double> scores_;
   int evaluations_ = 0;

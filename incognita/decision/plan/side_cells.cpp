@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "incognita/decision/plan/expected_surface.hpp"
 
@@ -25,11 +26,22 @@ void add_side(int axis, bool upper, const ExplorationSettings& s, double cell_m,
       cell.center[u] = s.min_m[u] + (i + 0.5) / across(u) * size[u];
       cell.center[v] = s.min_m[v] + (j + 0.5) / across(v) * size[v];
       cell.normal[axis] = upper ? -1 : 1;
+      cell.half_m[u] = size[u] / across(u) / 2;
+      cell.half_m[v] = size[v] / across(v) / 2;
       cells.push_back(cell);
     }
 }
 
+void check_number(const ExplorationSettings& s) {
+  constexpr double most_cells = 1e5;
+  const Eigen::Array3d across = ((s.max_m - s.min_m) / s.side_cell_m).array().max(1);
+  if (across.prod() > most_cells)
+    throw std::invalid_argument(
+        "exploration.side_cell_m: the exploration volume has more than 100000 cells of this size; take a larger one");
+}
+
 std::vector<SideCell> cells_of(const ExplorationSettings& settings) {
+  check_number(settings);
   std::vector<SideCell> cells;
   for (int axis = 0; axis < 3; ++axis)
     for (const bool upper : {false, true}) add_side(axis, upper, settings, settings.side_cell_m, cells);
@@ -39,8 +51,7 @@ std::vector<SideCell> cells_of(const ExplorationSettings& settings) {
 }  // namespace
 
 SideCells::SideCells(const ExplorationSettings& settings)
-    : cell_m_(settings.side_cell_m),
-      min_m_(settings.min_m),
+    : min_m_(settings.min_m),
       max_m_(settings.max_m),
       patience_s_(settings.patience_s),
       cells_(cells_of(settings)),
@@ -66,8 +77,8 @@ std::vector<bool> SideCells::covered_by(const Estimate& estimate) const {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       const Eigen::Vector3d off = at - cells_[i].center, normal = cells_[i].normal;
       const double away = off.dot(normal);
-      covered[i] = covered[i] || (std::abs(away) <= within_m &&
-                                  (off - away * normal).lpNorm<Eigen::Infinity>() < cell_m_ / 2);
+      const Eigen::Array3d along = (off - away * normal).array().abs();
+      covered[i] = covered[i] || (std::abs(away) <= within_m && (along <= cells_[i].half_m.array()).all());
     }
   }
   return covered;

@@ -16,7 +16,8 @@
 namespace incognita {
 
 struct SideCell {
-  Eigen::Vector3d center{0, 0, 0}, normal{0, 0, 0};
+  Eigen::Vector3d center{0, 0, 0}, normal{0, 0, 0};  ///< world, m; inward
+  Eigen::Vector3d half_m{0, 0, 0};                   ///< its sides along the axes, half
   double seen_s = 0;
 };
 
@@ -37,7 +38,6 @@ class SideCells {
  private:
   std::vector<bool> covered_by(const Estimate& estimate) const;
 
-  double cell_m_;
   Eigen::Vector3d min_m_, max_m_;
   double patience_s_;
   std::vector<SideCell> cells_;

@@ -434,7 +434,8 @@ FeatureTracker::NewLandmarks FeatureTracker::new_landmarks(const Estimate& estim
 void FeatureTracker::fill_gaps(Estimate& estimate) {
   constexpr int most_per_frame = 2;
   const int cell_px = camera_.settings.map.max_gap_px;
-  const int possible = new_landmarks(estimate).possible;
+  const int possible =
+      std::min(new_landmarks(estimate).possible, camera_.settings.initialization.max_new_per_frame);
   if (cell_px == 0 || possible <= 0) return;
   for (const Eigen::Vector2d& corner :
        find_new_corners(pyramid_.image(), estimate, camera_, std::min(possible, most_per_frame), cell_px))

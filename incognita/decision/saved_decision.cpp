@@ -116,7 +116,7 @@ void serialize(Archive& archive, PlanWorth& worth) {
   archive(outside_m, blocked, missing_matches, score);
 }
 
-/// Of a comparison that has begun: plans of several moves are imagined when it is due.
+/// Of a comparison that has begun: plans of several actions are imagined when it is due.
 void Planner::state(StateArchive& archive) {
   auto& [settings, map, unmapped, root, worths, level, entropy_before, measurements, scores, evaluations] =
       *this;
@@ -133,15 +133,15 @@ void PlanAtPeriods::state(StateArchive& archive) {
 }
 
 void PlannedCameraChoice::state(StateArchive& archive) {
-  auto& [moves, names, plan, looking, heading_rad, elevation_rad, rates_rad_s] = *this;
+  auto& [actions, names, plan, looking, heading_rad, elevation_rad, rates_rad_s] = *this;
   archive(plan, looking, heading_rad, elevation_rad, rates_rad_s);
-  plan.check_moves(names.size());
+  plan.check_actions(names.size());
 }
 
 void PlannedCarrierChoice::state(StateArchive& archive) {
-  auto& [changes, moves, names, plan, drive] = *this;
+  auto& [changes, actions, names, plan, drive] = *this;
   archive(plan, drive);
-  plan.check_moves(names.size());
+  plan.check_actions(names.size());
 }
 
 void ObjectFaces::state(StateArchive& archive) {

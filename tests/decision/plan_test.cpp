@@ -1,4 +1,4 @@
-// Plans of motion and gaze: moves, imagined knowledge, what is left to map, comparison in parts.
+// Plans of motion and gaze: actions, imagined covariance, what is left to map, comparison in parts.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "incognita/decision/image_expectation.hpp"
+#include "incognita/decision/plan/action_paths.hpp"
 #include "incognita/decision/plan/cost_to_go.hpp"
 #include "incognita/decision/plan/expected_surface.hpp"
-#include "incognita/decision/plan/moves.hpp"
+#include "incognita/decision/plan/planned_choice.hpp"
 #include "incognita/decision/plan/planner.hpp"
 #include "incognita/decision/plan/side_cells.hpp"
+#include "incognita/math/quaternion.hpp"
 #include "incognita/math/random.hpp"
 #include "incognita/math/saved_state/state_archive.hpp"
 #include "incognita/models/motion/heading.hpp"
@@ -64,16 +66,16 @@ class OneCamera final : public Expectation {
   ImageExpectation camera_;
 };
 
-JointMoves moves_of(double gaze_rate_rad_s, double max_elevation_rad) {
-  return JointMoves(translations_of(DecisionSettings{}), 1, gaze_rate_rad_s, max_elevation_rad, room);
+JointActions actions_of(double gaze_rate_rad_s, double max_elevation_rad) {
+  return JointActions(translations_of(DecisionSettings{}), 1, gaze_rate_rad_s, max_elevation_rad, room);
 }
 
 /// Direction of a turn: 1 to the left, -1 to the right.
-int moves_left(int turn) { return static_cast<int>(std::lround(moves_of(1, 0.8).rates_of(turn).x())); }
+int turns_left(int turn) { return static_cast<int>(std::lround(actions_of(1, 0.8).rates_of(turn).x())); }
 
 struct Comparison {
   const Scene& scene;
-  JointMoves moves = moves_of(1.2, 0.8);
+  JointActions actions = actions_of(1.2, 0.8);
   Growth growth = growth_over(0.5, 0.3, 0.3);
   OneCamera expectation{scene};
 
@@ -81,7 +83,7 @@ struct Comparison {
     return {scene.estimate,
             0,
             scene.camera,
-            moves,
+            actions,
             growth,
             expectation,
             scene.unmapped,
@@ -90,8 +92,8 @@ struct Comparison {
   }
 };
 
-TEST(JointMoves, AreEachTranslationWithEachTurn) {
-  const JointMoves level = moves_of(0.4, 0), all = moves_of(0.4, 0.8);
+TEST(JointActions, AreEachTranslationWithEachTurn) {
+  const JointActions level = actions_of(0.4, 0), all = actions_of(0.4, 0.8);
   EXPECT_EQ(level.count(), 7 * 3);
   EXPECT_EQ(all.count(), 7 * 9);
   EXPECT_EQ(all.names()[static_cast<std::size_t>(all.stay()) + 3], "stay_turning_up");
@@ -99,13 +101,13 @@ TEST(JointMoves, AreEachTranslationWithEachTurn) {
   EXPECT_EQ(all.along(scene.camera, all.stay(), 1), scene.camera);
 }
 
-TEST(JointMoves, TurnAtTheirRatesUpToTheLargestElevation) {
-  const JointMoves moves = moves_of(0.4, 0.5);
+TEST(JointActions, TurnAtTheirRatesUpToTheLargestElevation) {
+  const JointActions actions = actions_of(0.4, 0.5);
   const Scene scene(0);
   const auto gaze = [](const BlockVector& state) { return Eigen::Vector4d(state.segment<4>(3)); };
-  const BlockVector left = moves.along(scene.camera, moves.stay() + 1, 0.5),
-                    up = moves.along(scene.camera, moves.stay() + 3, 1),
-                    highest = moves.along(up, moves.stay() + 3, 1);
+  const BlockVector left = actions.along(scene.camera, actions.stay() + 1, 0.5),
+                    up = actions.along(scene.camera, actions.stay() + 3, 1),
+                    highest = actions.along(up, actions.stay() + 3, 1);
   EXPECT_NEAR(heading_of(gaze(left)), 0.2, 1e-9);
   EXPECT_NEAR(elevation_of(gaze(up)), 0.4, 1e-9);
   EXPECT_NEAR(elevation_of(gaze(highest)), 0.5, 1e-9);
@@ -212,23 +214,23 @@ TEST(Planner, TurnsToWhatIsUnmapped) {
   const Comparison comparison{scene};
   Planner planner({.min_matches = 0});
   planner.begin(comparison.now(), std::nullopt);
-  const int move = planner.choose(comparison.now());
-  EXPECT_EQ(moves_left(move % 9), 1) << comparison.moves.names()[static_cast<std::size_t>(move)];
+  const int action = planner.choose(comparison.now());
+  EXPECT_EQ(turns_left(action % 9), 1) << comparison.actions.names()[static_cast<std::size_t>(action)];
 }
 
 TEST(Planner, KeepsEnoughLandmarksInView) {
   Scene scene(12);
   for (int i = 0; i < 20; ++i) scene.unmapped.push_back({i, {0.1 * i, 2, 1}});
   Comparison comparison{scene};
-  comparison.moves = moves_of(1.57, 0.8);  // one turn leads away from all that is mapped
+  comparison.actions = actions_of(1.57, 0.8);  // one turn leads away from all that is mapped
   for (const int least : {0, 8}) {
     Planner planner({.min_matches = least});
     planner.begin(comparison.now(), std::nullopt);
     const int turn = planner.choose(comparison.now()) % 9;
     if (least == 0)
-      EXPECT_EQ(moves_left(turn), 1);
+      EXPECT_EQ(turns_left(turn), 1);
     else
-      EXPECT_EQ(moves_left(turn), 0);
+      EXPECT_EQ(turns_left(turn), 0);
   }
 }
 
@@ -264,15 +266,150 @@ TEST(Planner, GoesOnAfterItWasRestored) {
   EXPECT_EQ(restored.scores(), planner.scores());
 }
 
+/// Without discount and pose, more views can only add to the score.
 TEST(Planner, LooksFartherWithMoreLevels) {
   Scene scene(10);
   scene.unmapped = {{0, {1, 3, 1}}};
   const Comparison comparison{scene};
-  Planner planner({.held_periods = {1, 2}, .max_evaluations = 200});
+  Planner near({.pose_weight = 0, .discount_s = 0}),
+      far({.held_periods = {1, 2}, .max_evaluations = 200, .pose_weight = 0, .discount_s = 0});
+  near.begin(comparison.now(), std::nullopt);
+  far.begin(comparison.now(), std::nullopt);
+  near.choose(comparison.now());
+  const auto chosen = static_cast<std::size_t>(far.choose(comparison.now()));
+  EXPECT_GT(far.scores()[chosen], near.scores()[chosen] + 0.1);
+  EXPECT_GT(far.evaluations(), comparison.actions.count());
+  EXPECT_LE(far.evaluations(), 200);
+}
+
+/// Probabilities fall from tick to tick, and actions imagined later must not be at a disadvantage.
+TEST(Planner, RatesAllActionsByTheSameExpectedLandmarks) {
+  Scene scene(10);
+  scene.unmapped = {{0, {1, 3, 1}}, {1, {2, -3, 2}}};
+  const Comparison comparison{scene};
+  Planner at_once({}), in_parts({});
+  at_once.begin(comparison.now(), std::nullopt);
+  at_once.choose(comparison.now());
+  in_parts.begin(comparison.now(), std::nullopt);
+  for (int i = 0; i < 10; ++i) {
+    in_parts.imagine(comparison.now(), 5);
+    scene.unmapped[0].probability *= 0.8;
+  }
+  in_parts.choose(comparison.now());
+  EXPECT_EQ(in_parts.scores(), at_once.scores());
+}
+
+/// A turn of the world about z that the estimate of body and map share: no measurement of one by the other reduces it.
+void share_turn(Scene& scene, double sigma_rad) {
+  AnyBelief& belief = scene.estimate.belief;
+  const BlockId body = scene.estimate.bodies[0].block;
+  const Eigen::Matrix3d R = rotation_matrix<double>(Eigen::Vector4d(scene.camera.segment<4>(3)));
+  const Eigen::Vector3d up = R.transpose().col(2);
+  SmallMatrix N = 1e-8 * SmallMatrix::Identity(12, 12), A = SmallMatrix::Identity(12, 12);
+  N.block<3, 3>(3, 3) += sigma_rad * sigma_rad * up * up.transpose();
+  belief.replace(body, FreeCameraMotion::chart, SmallVector(scene.camera), SmallMatrix::Zero(12, 12), N);
+  std::vector<ErrorShear> shears;
+  for (const auto& [id, landmark] : scene.estimate.landmarks) {
+    const SmallVector at = belief.mean(landmark.block);
+    belief.replace(landmark.block, PointLandmark::chart, at, SmallMatrix::Zero(3, 3),
+                   1e-6 * SmallMatrix::Identity(3, 3));
+    shears.push_back({landmark.block, -skew<double>(Eigen::Vector3d(at)) * R});
+  }
+  belief.shear(body, 3, shears);
+  A.block<3, 3>(0, 3) = -skew<double>(Eigen::Vector3d(scene.camera.head<3>())) * R;
+  belief.replace(body, FreeCameraMotion::chart, SmallVector(scene.camera), A, SmallMatrix::Zero(12, 12));
+}
+
+TEST(Planner, DoesNotExpectTurnsToReduceAnErrorThatBodyAndMapShare) {
+  Scene scene(12);
+  share_turn(scene, 0.02);
+  Comparison comparison{scene};
+  comparison.actions = actions_of(0.4, 0.8);
+  Planner planner({.min_matches = 0, .pose_weight = 0, .discount_s = 0});
   planner.begin(comparison.now(), std::nullopt);
   planner.choose(comparison.now());
-  EXPECT_GT(planner.evaluations(), comparison.moves.count());
-  EXPECT_LE(planner.evaluations(), 200);
+  for (std::size_t action = 0; action < planner.scores().size(); ++action)
+    EXPECT_LT(planner.scores()[action], 0.1) << comparison.actions.names()[action];
+}
+
+TEST(DriveActions, GoOnAsTheyBegan) {
+  const CarrierSettings carrier{{}, 0.3, 0.3};
+  const SpeedChanges changes(speed_changes_of(DecisionSettings{}), 1, growth_over(1, 0.3, 0.3), room,
+                             carrier.mount, carrier.max_speed_m_s, carrier.max_turn_rate_rad_s);
+  const DriveActions actions(changes);
+  const Scene scene(0);
+  BlockVector state(scene.camera.size() + 2);
+  state << scene.camera, 0.1, -0.2;
+  for (int action = 0; action < actions.count(); ++action) {
+    const BlockVector half = actions.along(state, action, 0.5);
+    EXPECT_TRUE(
+        actions.along(half, actions.then(action), 0.5).isApprox(actions.along(state, action, 1), 1e-12));
+  }
+}
+
+Mobility slow() {
+  Mobility mobility;
+  mobility.step_m = 0.3;
+  mobility.speed_m_s = 0.3;
+  mobility.turn_rate_rad_s = 0.4;
+  return mobility;
+}
+
+DecisionSettings planned() {
+  DecisionSettings settings;
+  settings.strategy = DecisionSettings::Strategy::plan;
+  settings.gaze_rate_rad_s = 0.4;
+  settings.max_elevation_rad = 0.8;
+  return settings;
+}
+
+/// Ticks of 0.1 s from `first` on, of a body that the estimate leaves where it is; the chosen actions.
+std::vector<int> chosen_in(BodyChoice& choice, const Scene& scene, int first, int ticks) {
+  const OneCamera expectation(scene);
+  Surroundings around;
+  around.estimate = &scene.estimate;
+  around.unmapped = scene.unmapped;
+  around.expected_var_m2 = expected_var_m2;
+  std::vector<int> chosen;
+  BodyGoal goal;
+  for (int i = first; i < first + ticks; ++i) {
+    choice.choose(scene.estimate.belief, scene.estimate.bodies[0], expectation, around, Tick{i, i * 0.1, 0.1},
+                  goal);
+    if (goal.decided) chosen.push_back(goal.chosen);
+  }
+  return chosen;
+}
+
+/// Saved in the middle of a comparison.
+template <class Choice>
+void expect_to_go_on(Choice choice, Choice restored) {
+  Scene scene(12);
+  scene.unmapped = {{0, {1, 2, 1}}, {1, {2, -2, 2}}};
+  EXPECT_EQ(chosen_in(choice, scene, 0, 18).size(), 2u) << "one decision a second";
+  StateWriter writer;
+  StateArchive to(writer);
+  choice.state(to);
+  StateReader reader(writer.bytes());
+  StateArchive from(reader);
+  restored.state(from);
+  EXPECT_EQ(reader.left(), 0u);
+  const std::vector<int> chosen = chosen_in(choice, scene, 18, 25);
+  EXPECT_EQ(chosen.size(), 3u);
+  EXPECT_EQ(chosen_in(restored, scene, 18, 25), chosen);
+}
+
+TEST(PlannedCameraChoice, DecidesOncePerPeriodAndGoesOnWhenRestored) {
+  const auto choice = [] { return PlannedCameraChoice(planned(), slow(), 0.3, 0.3); };
+  expect_to_go_on(choice(), choice());
+}
+
+TEST(PlannedCameraChoice, ForgetsAComparisonThatHasBegun) {
+  Scene scene(12);
+  scene.unmapped = {{0, {1, 2, 1}}};
+  PlannedCameraChoice choice(planned(), slow(), 0.3, 0.3);
+  chosen_in(choice, scene, 0, 8);
+  choice.forget();
+  EXPECT_EQ(chosen_in(choice, scene, 8, 1).size(), 1u) << "decides at once";
 }
 
 /// A box of 4 x 4 x 2 m.
@@ -351,6 +488,36 @@ TEST(SideCells, AreSeenUnderThirtyDegreesOrMore) {
   EXPECT_FALSE(sees_surface({0, 0, 1}, {1.8, 0, 0}, {0, 0, 1}));
   EXPECT_FALSE(sees_surface({0, 0, -1}, {0, 0, 0}, {0, 0, 1})) << "from behind";
   EXPECT_TRUE(sees_surface({0, 0, 1}, {9, 0, 0}, {0, 0, 0})) << "on no surface";
+}
+
+TEST(SideCells, AreRestoredWithWhatWasSeen) {
+  SideCells sides(small_room()), restored(small_room());
+  Scene scene(0);
+  add_landmark(scene.estimate, {0.1, 0.3, 0.5});
+  add_landmark(scene.estimate, {0.1, 0.6, 0.4});
+  sides.compare(scene.estimate);
+  sides.see([](const Eigen::Vector3d&) { return true; }, {1.9, 0.5, 0.5}, 1);
+  sides.compare(scene.estimate);
+  StateWriter writer;
+  StateArchive to(writer);
+  sides.state(to);
+  StateReader reader(writer.bytes());
+  StateArchive from(reader);
+  restored.state(from);
+  restored.compare(scene.estimate);
+  ASSERT_EQ(restored.expected().size(), sides.expected().size());
+  bool less = false;
+  for (std::size_t i = 0; i < sides.expected().size(); ++i) {
+    EXPECT_EQ(restored.expected()[i].probability, sides.expected()[i].probability);
+    less |= sides.expected()[i].index >= 64 && sides.expected()[i].probability < 1;
+  }
+  EXPECT_TRUE(less) << "the face of the object was seen, or the test compares nothing";
+}
+
+TEST(SideCells, RefuseTooManyCells) {
+  ExplorationSettings settings = small_room();
+  settings.side_cell_m = 0.001;
+  EXPECT_THROW(SideCells{settings}, std::invalid_argument);
 }
 
 }  // namespace

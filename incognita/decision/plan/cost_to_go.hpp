@@ -1,6 +1,6 @@
 // What is still to be mapped after a plan: information that later views would add, worth less the longer the way to them.
 //
-// A plan sees only a few moves ahead. Without this term all plans are equal where nothing new is within their reach, and the
+// A plan reaches only a few actions ahead. Without this term all plans are equal where nothing new is within their reach, and the
 // body stays where it has mapped everything.
 #pragma once
 
@@ -25,7 +25,7 @@ struct Reach {
 double time_to_view_s(const Eigen::Vector3d& position, const Eigen::Vector3d& ahead,
                       const ExpectedLandmark& landmark, const Reach& reach);
 
-/// Nats: the sum of what is missing about each expected landmark, times exp(-(time to view it + start_s) / discount_s). `state`
+/// Nats: the sum, over the expected landmarks, of probability * missing information * exp(-(start_s + time to view it) / discount_s); ours. `state`
 /// begins with the position and the orientation of the camera.
 double information_to_go(const BlockVector& state, std::span<const ExpectedLandmark> expected,
                          const PlannedMap& map, const ImaginedMap& imagined, const Resolution& resolution,

@@ -1,4 +1,4 @@
-// What is known of a body and of the landmarks around it after measurements that are only imagined.
+// Covariance of a body and of the landmarks around it after measurements that are only imagined.
 //
 // The joint covariance of the body and of some landmarks of the map follows the Kalman filter along a plan, so that
 // correlations count: a drift that all of them share is not reduced by looking at them again. Landmarks that are
@@ -25,8 +25,8 @@ class PlannedMap {
   void start(const Estimate& estimate, std::size_t body, std::span<const BlockId> landmarks,
              double expected_var_m2);
 
-  /// Measurements of landmarks whose estimate has moved, or has another form, since start() tell nothing: predicted from where they are now, they do not
-  /// fit the covariance, and would seem to fix the heading.
+  /// Leaves out landmarks whose estimate has moved, or has another form, since start(). Their measurements, predicted at the new
+  /// estimate, are inconsistent with the old covariance: they would seem to constrain the heading of the whole map.
   void leave_out_moved(const Estimate& estimate);
 
   /// First row of a landmark's errors in the joint covariance; -1: it was not taken, or has moved.
@@ -63,9 +63,9 @@ class ImaginedMap {
  public:
   explicit ImaginedMap(const PlannedMap& map);
 
-  /// The body moves: error after = A * error before + noise of covariance N.
+  /// Motion of the body: error after = A * error before + noise of covariance N.
   void predict(const BlockMatrix& A, const BlockMatrix& N);
-  /// It measures. Measurements of landmarks that were not taken are left out.
+  /// EKF update by all of them at once. Measurements of landmarks that were not taken are left out.
   void update(const PlannedMap& map, std::span<const PredictedMeasurement> measurements);
 
   /// Information about the landmarks, about each as if it were alone, gained since the start, to that resolution, nats.
@@ -73,8 +73,9 @@ class ImaginedMap {
   /// The same about the expected landmarks, each times the probability that it is there.
   double about_expected(const PlannedMap& map, std::span<const ExpectedLandmark> expected,
                         const Resolution& resolution) const;
-  /// What measurements from a body that is known as here can still tell of an expected landmark, nats. `way`: to it from the body,
-  /// `R`: world_from_body, whose axes errors of the orientation have.
+  /// Information about an expected landmark that is still to be gained, nats: the decrease of its entropy down to that of a point at
+  /// `way` (world, m) from the body, whose pose error it shares: cov = J P_pose J', J = [I, -[way]x R]; ours. `R`: world_from_body,
+  /// in whose axes the orientation errors are.
   double missing_about(const PlannedMap& map, int expected_index, const Eigen::Vector3d& way,
                        const Eigen::Matrix3d& R, const Resolution& resolution) const;
   /// Saves or restores: math/saved_state/.

@@ -20,7 +20,7 @@ class ObjectFaces {
   /// `first_index`: of the landmarks expected here.
   ObjectFaces(const ExplorationSettings& settings, int first_index);
 
-  /// Time in view, in every tick.
+  /// Time in view, in every tick: `in_view` of a position and `camera`, world, m; `dt`, s.
   void see(const std::function<bool(const Eigen::Vector3d&)>& in_view, const Eigen::Vector3d& camera,
            double dt);
   /// Which faces there are, and which of them the map covers; renews expected().

@@ -42,21 +42,21 @@ void PlanAtPeriods::forget() {
   approach_.forget();
 }
 
-void PlanAtPeriods::check_moves(std::size_t count) const {
+void PlanAtPeriods::check_actions(std::size_t count) const {
   if ((!scores_.empty() && scores_.size() != count) || chosen_ < -1 || chosen_ >= static_cast<int>(count))
-    throw DamagedState("the scores of other moves");
+    throw DamagedState("the scores of other actions");
 }
 
-/// Imagines moves in the last part of the period, equally many in each tick.
+/// Imagines actions in the last part of the period, equally many in each tick.
 void PlanAtPeriods::prepare(const Planner::Input& now, const Tick& tick) {
   const double left_s = end_t_ - tick.t, prepare_s = std::min(settings_.prepare_s, settings_.period_s);
   if (left_s > prepare_s || settings_.horizon > 1) return;
-  if (!planner_.has_begun()) planner_.begin(now, Planner::UnderWay{now.moves.then(chosen_), left_s});
+  if (!planner_.has_begun()) planner_.begin(now, Planner::UnderWay{now.actions.then(chosen_), left_s});
   const int ticks = std::max(1, static_cast<int>(std::lround(prepare_s / tick.dt)));
-  planner_.imagine(now, (now.moves.count() + ticks - 1) / ticks);
+  planner_.imagine(now, (now.actions.count() + ticks - 1) / ticks);
 }
 
-bool PlanAtPeriods::choose(const BlockVector& state, const MoveSet& moves, const Body& body,
+bool PlanAtPeriods::choose(const BlockVector& state, const ActionPaths& actions, const Body& body,
                            const Expectation& expectation, const Surroundings& around, const Tick& tick) {
   const Estimate& estimate = *around.estimate;
   const auto which = static_cast<std::size_t>(&body - estimate.bodies.data());
@@ -66,7 +66,7 @@ bool PlanAtPeriods::choose(const BlockVector& state, const MoveSet& moves, const
       estimate,
       which,
       state,
-      moves,
+      actions,
       growth_,
       expectation,
       around.unmapped,
@@ -81,16 +81,16 @@ bool PlanAtPeriods::choose(const BlockVector& state, const MoveSet& moves, const
   scores_ = planner_.scores();
   end_t_ = tick.t + settings_.period_s;
   approach_.go({position_in(state, approach_.mobility()),
-                position_in(moves.along(state, chosen_, settings_.period_s), approach_.mobility())});
+                position_in(actions.along(state, chosen_, settings_.period_s), approach_.mobility())});
   return true;
 }
 
 PlannedCameraChoice::PlannedCameraChoice(const DecisionSettings& s, const Mobility& mobility,
                                          double sigma_acceleration_m_s2,
                                          double sigma_angular_acceleration_rad_s2)
-    : moves_(translations_of(s), s.period_s, s.gaze_rate_rad_s, s.max_elevation_rad,
-             {s.min_bound_m, s.max_bound_m}),
-      names_(moves_.names()),
+    : actions_(translations_of(s), s.period_s, s.gaze_rate_rad_s, s.max_elevation_rad,
+               {s.min_bound_m, s.max_bound_m}),
+      names_(actions_.names()),
       plan_(s, mobility, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2) {}
 
 void PlannedCameraChoice::forget() {
@@ -103,15 +103,15 @@ void PlannedCameraChoice::look(const BlockVector& camera, double dt) {
   if (!looking_) {
     const Eigen::Vector4d gaze = camera.segment<4>(3);
     heading_rad_ = heading_of(gaze);
-    elevation_rad_ = moves_.max_elevation_rad() > 0 ? elevation_of(gaze) : 0;
+    elevation_rad_ = actions_.max_elevation_rad() > 0 ? elevation_of(gaze) : 0;
     rates_rad_s_.setZero();
     looking_ = true;
     return;
   }
   heading_rad_ += rates_rad_s_.x() * dt;
   elevation_rad_ += rates_rad_s_.y() * dt;
-  if (std::abs(elevation_rad_) <= moves_.max_elevation_rad()) return;
-  elevation_rad_ = std::copysign(moves_.max_elevation_rad(), elevation_rad_);
+  if (std::abs(elevation_rad_) <= actions_.max_elevation_rad()) return;
+  elevation_rad_ = std::copysign(actions_.max_elevation_rad(), elevation_rad_);
   rates_rad_s_.y() = 0;
 }
 
@@ -119,13 +119,13 @@ void PlannedCameraChoice::choose(const AnyBelief& belief, const Body& body, cons
                                  const Surroundings& around, const Tick& tick, BodyGoal& goal) {
   const BlockVector camera = belief.mean(body.block);
   look(camera, tick.dt);
-  goal.decided = plan_.choose(camera, moves_, body, expectation, around, tick);
+  goal.decided = plan_.choose(camera, actions_, body, expectation, around, tick);
   goal.scores = plan_.scores();
   goal.chosen = plan_.chosen();
   if (goal.decided) {
-    rates_rad_s_ = moves_.rates_of(goal.chosen);
+    rates_rad_s_ = actions_.rates_of(goal.chosen);
     goal.from = camera.head<3>();
-    goal.to = moves_.along(camera, goal.chosen, plan_.end_t() - tick.t).head<3>();
+    goal.to = actions_.along(camera, goal.chosen, plan_.end_t() - tick.t).head<3>();
     goal.start_t = tick.t;
     goal.end_t = plan_.end_t();
   }
@@ -142,7 +142,7 @@ PlannedCarrierChoice::PlannedCarrierChoice(const DecisionSettings& s, const Carr
                growth_over(s.period_s, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2),
                {s.min_bound_m, s.max_bound_m}, carrier.mount, carrier.max_speed_m_s,
                carrier.max_turn_rate_rad_s),
-      moves_(changes_),
+      actions_(changes_),
       names_(names_of(changes_.actions())),
       plan_(s, mobility, sigma_acceleration_m_s2, sigma_angular_acceleration_rad_s2) {}
 
@@ -156,11 +156,11 @@ void PlannedCarrierChoice::choose(const AnyBelief& belief, const Body& body, con
   const BlockVector camera = belief.mean(body.block);
   BlockVector state(camera.size() + 2);
   state << camera, body.wheels.value_or(drive_);
-  goal.decided = plan_.choose(state, moves_, body, expectation, around, tick);
+  goal.decided = plan_.choose(state, actions_, body, expectation, around, tick);
   goal.scores = plan_.scores();
   goal.chosen = plan_.chosen();
   if (goal.decided) {
-    const BlockVector after = moves_.along(state, goal.chosen, plan_.end_t() - tick.t);
+    const BlockVector after = actions_.along(state, goal.chosen, plan_.end_t() - tick.t);
     drive_ = after.tail<2>();
     goal.from = camera.head<3>();
     goal.to = after.head<3>();

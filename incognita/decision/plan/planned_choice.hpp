@@ -1,4 +1,4 @@
-// The next move of a body by a plan over several moves: of a free camera with its gaze, or of the vehicle that carries it.
+// The next action of a body by a plan over several actions: of a free camera with its gaze, or of the vehicle that carries it.
 #pragma once
 
 #include <string>
@@ -17,13 +17,13 @@ class PlanAtPeriods {
   PlanAtPeriods(const DecisionSettings& settings, const Mobility& mobility, double sigma_acceleration_m_s2,
                 double sigma_angular_acceleration_rad_s2);
 
-  /// Whether a move was chosen in this tick.
-  bool choose(const BlockVector& state, const MoveSet& moves, const Body& body,
+  /// Whether an action was chosen in this tick.
+  bool choose(const BlockVector& state, const ActionPaths& actions, const Body& body,
               const Expectation& expectation, const Surroundings& surroundings, const Tick& tick);
   void forget();
   void state(StateArchive& archive);
-  /// Throws DamagedState if what was restored is of another number of moves.
-  void check_moves(std::size_t count) const;
+  /// Throws DamagedState if what was restored is of another number of actions.
+  void check_actions(std::size_t count) const;
 
   int chosen() const { return chosen_; }
   double end_t() const { return end_t_; }
@@ -41,6 +41,7 @@ class PlanAtPeriods {
   double end_t_ = 0;
 };
 
+/// Of a free camera. The gaze is held at the chosen rates until the next decision.
 class PlannedCameraChoice final : public BodyChoice {
  public:
   PlannedCameraChoice(const DecisionSettings& settings, const Mobility& mobility,
@@ -54,7 +55,7 @@ class PlannedCameraChoice final : public BodyChoice {
  private:
   void look(const BlockVector& camera, double dt);
 
-  JointMoves moves_;
+  JointActions actions_;
   std::vector<std::string> names_;
   PlanAtPeriods plan_;
   bool looking_ = false;
@@ -62,6 +63,7 @@ class PlannedCameraChoice final : public BodyChoice {
   Eigen::Vector2d rates_rad_s_{0, 0};  ///< of both
 };
 
+/// Of the vehicle that carries the camera.
 class PlannedCarrierChoice final : public BodyChoice {
  public:
   PlannedCarrierChoice(const DecisionSettings& settings, const CarrierSettings& carrier,
@@ -75,7 +77,7 @@ class PlannedCarrierChoice final : public BodyChoice {
 
  private:
   SpeedChanges changes_;
-  DriveMoves moves_;
+  DriveActions actions_;
   std::vector<std::string> names_;
   PlanAtPeriods plan_;
   Eigen::Vector2d drive_{0, 0};

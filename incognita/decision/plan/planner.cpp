@@ -26,12 +26,15 @@ void thin_out(std::vector<PredictedMeasurement>& measurements, int most) {
   });
 }
 
-/// Errors of the orientation are in the axes of the body, which turn with it.
-BlockMatrix turned(const BlockMatrix& A, const BlockVector& before, const BlockVector& after) {
-  constexpr int rotation = 3;  // first row of these errors
+/// `A` is linearized at rest. An error of the orientation is in the axes of the body, which turn, and it displaces the way:
+/// without both, a turn of the world that body and map share would seem to be observable (slam/mapper/invariant_errors.hpp).
+BlockMatrix along_the_way(const BlockMatrix& A, const BlockVector& before, const BlockVector& after) {
+  constexpr int rotation = 3;  // first row of its errors
   const Eigen::Matrix3d R_before = rotation_matrix<double>(Eigen::Vector4d(before.segment<4>(3))),
                         R_after = rotation_matrix<double>(Eigen::Vector4d(after.segment<4>(3)));
+  const Eigen::Vector3d way = after.head<3>() - before.head<3>();
   BlockMatrix out = A;
+  out.topRows(3) -= skew(way) * R_before * A.middleRows(rotation, 3);
   out.middleRows(rotation, 3) = R_after.transpose() * R_before * A.middleRows(rotation, 3);
   return out;
 }
@@ -48,7 +51,7 @@ bool is_better(const PlanWorth& a, const PlanWorth& b) {
          std::tuple(b.outside_m, b.blocked, b.missing_matches, -b.score);
 }
 
-/// Those that are in view most often after the moves, held for one period and for all.
+/// Those that are in view most often after the actions, held for one period and for all.
 void Planner::take_landmarks(const Input& now, const BlockVector& start) {
   std::map<BlockId, int> views;
   const auto look = [&](const BlockVector& state) {
@@ -61,10 +64,10 @@ void Planner::take_landmarks(const Input& now, const BlockVector& start) {
   look(start);
   int periods = 0;
   for (const int held : settings_.held_periods) periods += held;
-  for (int move = 0; move < now.moves.count(); ++move) {
+  for (int action = 0; action < now.actions.count(); ++action) {
     BlockVector state = start;
-    for (int p = 0, m = move; p < periods; ++p, m = now.moves.then(m)) {
-      state = now.moves.along(state, m, settings_.period_s);
+    for (int p = 0, m = action; p < periods; ++p, m = now.actions.then(m)) {
+      state = now.actions.along(state, m, settings_.period_s);
       if (p == 0 || p == periods - 1) look(state);
     }
   }
@@ -77,7 +80,7 @@ void Planner::take_landmarks(const Input& now, const BlockVector& start) {
   map_.start(now.estimate, now.body, blocks, now.expected_var_m2);
 }
 
-/// The measurements from the state of the node correct what it knows. `before`: the state at the view before.
+/// The measurements from the state of the node update its covariance. `before`: the state at the view before.
 void Planner::view(const Input& now, const BlockVector& before, Node& node) {
   measurements_.clear();
   now.expectation.expect(node.state, measurements_);
@@ -86,7 +89,7 @@ void Planner::view(const Input& now, const BlockVector& before, Node& node) {
     return m.of == PredictedMeasurement::Of::mapped && map_.row_of(m.block) < 0;
   });
   thin_out(measurements_, settings_.max_measured);
-  node.map.predict(turned(now.growth.A, before, node.state), now.growth.N);
+  node.map.predict(along_the_way(now.growth.A, before, node.state), now.growth.N);
   node.map.update(map_, measurements_);
 }
 
@@ -99,17 +102,17 @@ void Planner::rate(Node& node) const {
                                           settings_.reach, settings_.period_s, settings_.discount_s);
 }
 
-Planner::Node Planner::after(const Input& now, const Node& from, int move, int periods) {
+Planner::Node Planner::after(const Input& now, const Node& from, int action, int periods) {
   Node node = from;
   const double between_s = settings_.period_s / settings_.views_per_period;
-  for (int p = 0; p < periods; ++p, move = now.moves.then(move)) {
+  for (int p = 0; p < periods; ++p, action = now.actions.then(action)) {
     const BlockVector begin = node.state;
     for (int v = 1; v <= settings_.views_per_period; ++v) {
       const BlockVector before = node.state;
-      node.state = now.moves.along(begin, move, v * between_s);
+      node.state = now.actions.along(begin, action, v * between_s);
       view(now, before, node);
     }
-    node.worth.outside_m = std::max(node.worth.outside_m, now.moves.outside_m(node.state));
+    node.worth.outside_m = std::max(node.worth.outside_m, now.actions.outside_m(node.state));
     node.worth.blocked = node.worth.blocked || !now.is_clear(node.state);
   }
   rate(node);
@@ -119,7 +122,7 @@ Planner::Node Planner::after(const Input& now, const Node& from, int move, int p
 
 void Planner::begin(const Input& now, const std::optional<UnderWay>& under_way) {
   const BlockVector start =
-      under_way ? now.moves.along(now.state, under_way->move, under_way->left_s) : now.state;
+      under_way ? now.actions.along(now.state, under_way->action, under_way->left_s) : now.state;
   take_landmarks(now, start);
   unmapped_.assign(now.unmapped.begin(), now.unmapped.end());
   root_ = Node{0, now.state, ImaginedMap(map_)};
@@ -128,7 +131,7 @@ void Planner::begin(const Input& now, const std::optional<UnderWay>& under_way) 
     const auto views = static_cast<int>(std::lround(under_way->left_s / between_s));
     for (int v = 1; v <= views; ++v) {
       const BlockVector before = root_->state;
-      root_->state = now.moves.along(now.state, under_way->move, v * under_way->left_s / views);
+      root_->state = now.actions.along(now.state, under_way->action, v * under_way->left_s / views);
       view(now, before, *root_);
     }
     root_->state = start;
@@ -141,12 +144,12 @@ void Planner::begin(const Input& now, const std::optional<UnderWay>& under_way) 
 }
 
 void Planner::imagine(const Input& now, int count) {
-  const int moves = now.moves.count();
+  const int actions = now.actions.count();
   map_.leave_out_moved(now.estimate);
-  for (int i = 0; i < count && static_cast<int>(worths_.size()) < moves; ++i) {
-    const auto move = static_cast<int>(worths_.size());
-    Node node = after(now, *root_, move, settings_.held_periods.front());
-    node.first = move;
+  for (int i = 0; i < count && static_cast<int>(worths_.size()) < actions; ++i) {
+    const auto action = static_cast<int>(worths_.size());
+    Node node = after(now, *root_, action, settings_.held_periods.front());
+    node.first = action;
     node.worth.score += entropy_before_;
     worths_.push_back(node.worth);
     if (goes_deeper()) level_.push_back(std::move(node));
@@ -154,7 +157,7 @@ void Planner::imagine(const Input& now, int count) {
 }
 
 int Planner::choose(const Input& now) {
-  imagine(now, now.moves.count());
+  imagine(now, now.actions.count());
   scores_.clear();
   for (const PlanWorth& worth : worths_) scores_.push_back(worth.score);
   const int best = goes_deeper()
@@ -165,28 +168,28 @@ int Planner::choose(const Input& now) {
 }
 
 /// The best ones first, as many as the evaluations that are left can expand.
-void Planner::keep_best(std::vector<Node>& nodes, int levels_left, int moves) const {
+void Planner::keep_best(std::vector<Node>& nodes, int levels_left, int actions) const {
   std::ranges::stable_sort(nodes, is_better, &Node::worth);
   if (levels_left == 0) return;
-  const int kept = std::max(1, (settings_.max_evaluations - evaluations_) / (moves * levels_left));
+  const int kept = std::max(1, (settings_.max_evaluations - evaluations_) / (actions * levels_left));
   if (kept < static_cast<int>(nodes.size())) nodes.erase(nodes.begin() + kept, nodes.end());
 }
 
 int Planner::choose_deeper(const Input& now) {
-  const int moves = now.moves.count(), levels = static_cast<int>(settings_.held_periods.size());
-  std::vector<bool> goes_on(static_cast<std::size_t>(moves), false);
+  const int actions = now.actions.count(), levels = static_cast<int>(settings_.held_periods.size());
+  std::vector<bool> goes_on(static_cast<std::size_t>(actions), false);
   std::vector<Node> next = std::move(level_);
   for (int depth = 1; depth < levels; ++depth) {
-    keep_best(next, levels - depth, moves);
+    keep_best(next, levels - depth, actions);
     std::swap(level_, next);
     next.clear();
     for (const Node& node : level_)
-      for (int move = 0; move < moves; ++move) {
-        next.push_back(after(now, node, move, settings_.held_periods[static_cast<std::size_t>(depth)]));
+      for (int action = 0; action < actions; ++action) {
+        next.push_back(after(now, node, action, settings_.held_periods[static_cast<std::size_t>(depth)]));
         next.back().worth.score += entropy_before_;
       }
   }
-  keep_best(next, 0, moves);
+  keep_best(next, 0, actions);
   for (const Node& node : next) {
     const auto first = static_cast<std::size_t>(node.first);
     if (!goes_on[first] || node.worth.score > scores_[first]) scores_[first] = node.worth.score;

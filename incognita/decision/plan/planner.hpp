@@ -1,11 +1,11 @@
-// A plan of motion and gaze over several moves ahead: receding horizon, beam search.
+// A plan of motion and gaze over several actions ahead: receding horizon, beam search.
 //
-// A plan is worth what is known at its end of the landmarks in reach and of the pose, to the resolution that the task needs:
-// what is finer is worth nothing. Measurements are expected along the way, not only at its end, each with what the ones
-// before have taught (imagined_map.hpp); what is left to map counts by the time to get there (cost_to_go.hpp). A plan on which
-// too few landmarks would be matched somewhere is a risk to lose track, and is chosen only if there is no other.
+// The score of a plan is its information gain about landmarks and pose, to the resolution that the task needs: what is finer
+// does not count. Measurements are expected along the way, not only at its end, each given the ones before (imagined_map.hpp);
+// what is left to map counts by the time to get there (cost_to_go.hpp). A plan on which too few landmarks would be matched
+// somewhere is a risk to lose track, and is chosen only if there is no other.
 //
-// The first moves of a comparison can be imagined a few at a time, in the ticks before it is due, from where the move under
+// The first actions of a comparison can be imagined a few at a time, in the ticks before it is due, from where the action under
 // way is expected to end.
 #pragma once
 
@@ -16,18 +16,18 @@
 
 #include "incognita/decision/action_sets.hpp"
 #include "incognita/decision/expectation.hpp"
+#include "incognita/decision/plan/action_paths.hpp"
 #include "incognita/decision/plan/cost_to_go.hpp"
 #include "incognita/decision/plan/imagined_map.hpp"
-#include "incognita/decision/plan/moves.hpp"
 
 namespace incognita {
 
 struct PlannerSettings {
-  /// Periods for which the moves of each level are held: the first is executed, the later ones are coarser.
+  /// Periods for which the actions of each level are held: the first is executed, the later ones are coarser.
   std::vector<int> held_periods{1};
   int views_per_period = 2;
   double period_s = 1;
-  int max_evaluations = 300;  ///< moves imagined in one comparison; at least one per first move
+  int max_evaluations = 300;  ///< actions imagined in one comparison; at least one per first action
   int max_landmarks = 48;     ///< of the map, that a plan follows
   int max_measured = 12;      ///< of the map, that a view corrects the imagined estimate by
   int min_matches = 8;        ///< of the map in every view; 0: no constraint
@@ -53,8 +53,8 @@ class Planner {
   struct Input {
     const Estimate& estimate;
     std::size_t body;
-    const BlockVector& state;  ///< of the body, as the moves take it
-    const MoveSet& moves;
+    const BlockVector& state;  ///< of the body, as the actions take it
+    const ActionPaths& actions;
     const Growth& growth;  ///< over the time between two views
     const Expectation& expectation;
     std::span<const ExpectedLandmark> unmapped;              ///< as the expectation predicts them
@@ -62,22 +62,22 @@ class Planner {
     std::function<bool(const BlockVector& state)> is_clear;  ///< of obstacles that are known
   };
 
-  /// A move under way, and the time that is left of it.
+  /// An action under way, and the time that is left of it.
   struct UnderWay {
-    int move = 0;
+    int action = 0;
     double left_s = 0;
   };
 
-  /// Begins a comparison of plans that start where the move under way ends, or, without one, in the present state.
+  /// Begins a comparison of plans that start where the action under way ends, or, without one, in the present state.
   void begin(const Input& now, const std::optional<UnderWay>& under_way);
   bool has_begun() const { return root_.has_value(); }
-  /// Imagines the next `count` first moves.
+  /// Imagines the next `count` first actions.
   void imagine(const Input& now, int count);
-  /// Imagines what is left, goes deeper, and ends the comparison: the first move of the best plan.
+  /// Imagines what is left, goes deeper, and ends the comparison: the first action of the best plan.
   int choose(const Input& now);
   void forget() { root_.reset(); }
 
-  /// Nats by first move: of the best plan that begins with it, or of the move alone where no plan went on from it.
+  /// Nats by first action: of the best plan that begins with it, or of the action alone where no plan went on from it.
   const std::vector<double>& scores() const { return scores_; }
   int evaluations() const { return evaluations_; }
 
@@ -95,15 +95,15 @@ class Planner {
   void take_landmarks(const Input& now, const BlockVector& start);
   void view(const Input& now, const BlockVector& before, Node& node);
   void rate(Node& node) const;
-  Node after(const Input& now, const Node& from, int move, int periods);
-  void keep_best(std::vector<Node>& nodes, int levels_left, int moves) const;
+  Node after(const Input& now, const Node& from, int action, int periods);
+  void keep_best(std::vector<Node>& nodes, int levels_left, int actions) const;
   int choose_deeper(const Input& now);
 
   PlannerSettings settings_;
   PlannedMap map_;
-  std::vector<ExpectedLandmark> unmapped_;  ///< when the comparison began: all moves are rated by the same
+  std::vector<ExpectedLandmark> unmapped_;  ///< when the comparison began: all actions are rated by the same
   std::optional<Node> root_;                ///< while plans are compared
-  std::vector<PlanWorth> worths_;           ///< of the first moves imagined so far
+  std::vector<PlanWorth> worths_;           ///< of the first actions imagined so far
   std::vector<Node> level_;                 ///< the same, where plans go deeper
   double entropy_before_ = 0;               ///< of the pose, at the root
   std::vector<PredictedMeasurement> measurements_;

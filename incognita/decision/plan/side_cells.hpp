@@ -23,9 +23,10 @@ struct SideCell {
 
 class SideCells {
  public:
+  /// Throws std::invalid_argument if there were more than 100000 cells.
   explicit SideCells(const ExplorationSettings& settings);
 
-  /// Time in view, in every tick.
+  /// Time in view, in every tick: `in_view` of a position and `camera`, world, m; `dt`, s.
   void see(const std::function<bool(const Eigen::Vector3d&)>& in_view, const Eigen::Vector3d& camera,
            double dt);
   /// Which cells the map covers; renews expected().

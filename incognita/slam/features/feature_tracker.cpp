@@ -430,21 +430,25 @@ FeatureTracker::NewLandmarks FeatureTracker::new_landmarks(const Estimate& estim
           camera_.settings.map.max_landmarks - mapped - rays};
 }
 
-/// Landmarks in large parts of the image that hold none, a few in each frame.
-void FeatureTracker::fill_gaps(Estimate& estimate) {
+/// Landmarks in large parts of the image that hold none, a few in each frame; their number.
+int FeatureTracker::fill_gaps(Estimate& estimate) {
   constexpr int most_per_frame = 2;
   const int cell_px = camera_.settings.map.max_gap_px;
-  const int possible =
-      std::min(new_landmarks(estimate).possible, camera_.settings.initialization.max_new_per_frame);
-  if (cell_px == 0 || possible <= 0) return;
+  if (cell_px == 0) return 0;
+  const int possible = std::min(
+      {new_landmarks(estimate).possible, most_per_frame, camera_.settings.initialization.max_new_per_frame});
+  if (possible <= 0) return 0;
+  int filled = 0;
   for (const Eigen::Vector2d& corner :
-       find_new_corners(pyramid_.image(), estimate, camera_, std::min(possible, most_per_frame), cell_px))
-    initialize_from_image(pyramid_, corner, estimate, camera_);
+       find_new_corners(pyramid_.image(), estimate, camera_, possible, cell_px))
+    filled += initialize_from_image(pyramid_, corner, estimate, camera_);
+  return filled;
 }
 
 void FeatureTracker::add_landmarks(Estimate& estimate) {
-  fill_gaps(estimate);
+  const int filled = fill_gaps(estimate);
   auto [wanted, possible] = new_landmarks(estimate);
+  wanted = std::min(wanted, camera_.settings.initialization.max_new_per_frame - filled);
   if (wanted > possible && camera_.settings.map.replace_when_full)
     possible += delete_least_matched(estimate, camera_, wanted - possible);
   wanted = std::min(wanted, possible);

@@ -156,7 +156,7 @@ class FeatureTracker {
     int wanted = 0, possible = 0;
   };
   NewLandmarks new_landmarks(const Estimate& estimate) const;
-  void fill_gaps(Estimate& estimate);
+  int fill_gaps(Estimate& estimate);
   void correct_by_target(Estimate& estimate);
   void expect_depth_of_target(const Estimate& estimate);
   void add_landmarks(Estimate& estimate);

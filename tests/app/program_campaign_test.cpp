@@ -185,6 +185,29 @@ TEST(ProgramCampaign, ValuesMayBeLists) {
   EXPECT_FALSE(answer["variants"][1]["measures"]["ate_m"].contains("versus_baseline"));
 }
 
+TEST(ProgramCampaign, ComparesVariantsOfSeveralSettingsWithTheScenarioAsItIs) {
+  const CampaignFolder campaigns;
+  const Ended ended =
+      campaigns.campaign({"--seeds", "2", "--json", "--variant", "points.count=8  points.size_m=[20, 20, 0]",
+                          "--variant", "plant.sigma_speed_m_s=0.2", "--measure", "ate_m"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Json answer = Json::parse(ended.out);
+  ASSERT_EQ(answer["variants"].size(), 3u);
+  EXPECT_EQ(answer["baseline"], "small");
+  EXPECT_EQ(answer["variants"][0]["name"], "small");
+  EXPECT_EQ(answer["variants"][1]["name"], "points.count=8 points.size_m=[20, 20, 0]");
+  EXPECT_EQ(answer["variants"][1]["varied"]["points.count"], "8");
+  EXPECT_EQ(answer["variants"][2]["name"], "plant.sigma_speed_m_s=0.2");
+  EXPECT_EQ(answer["variants"][2]["varied"].size(), 3u) << "all that differ in some variant";
+  const Ended alone =
+      testing::incognita({"run", "small.toml", "--seed", "2", "--set", "points.count=8", "--set",
+                          "points.size_m=[20, 20, 0]", "--no-figures", "--out", "alone"},
+                         campaigns.folder());
+  ASSERT_EQ(alone.code, 0) << alone.err;
+  EXPECT_EQ(answer["variants"][1]["measures"]["ate_m"]["mean"],
+            testing::summary_of(campaigns / "alone")["ate_m"]);
+}
+
 TEST(ProgramCampaign, RefusesInvalidArgumentsBeforeAnyRun) {
   const CampaignFolder campaigns;
   campaigns.write("in-the-way", "a file\n");
@@ -203,6 +226,14 @@ TEST(ProgramCampaign, RefusesInvalidArgumentsBeforeAnyRun) {
       {{"--vary", "points.count=8", "--set", "points.count=9"}, "set the same"},
       {{"--vary", "run.duration_s=1,2", "--duration", "3"}, "set the same"},
       {{"--vary", "run.seed=1,2"}, "--seeds"},
+      {{"--variant", "points.count=8", "--vary", "points.count=9"}, "has one of them"},
+      {{"--variant", "points.count=8 points.count=9"}, "sets points.count twice"},
+      {{"--variant", "points.count=8", "--variant", "points.count=8"}, "occurs twice"},
+      {{"--variant", "points.count=8", "--set", "points.count=9"}, "--variant points.count set the same"},
+      {{"--variant", "points.count"}, "must be written 'section.name=value section.name=value'"},
+      {{"--variant", "points.size_m=[1,2"}, "do not close"},
+      {{"--variant", " "}, "a value is missing"},
+      {{"--variant", "run.seed=3"}, "--seeds"},
       {{"--set", "run.seed=1"}, "--seeds"},
       {{"--vary", "decision.strategy=none,mutual-information"}, "belongs to `controller.law = \"active\"`"},
       {{"--seeds", "5..1"}, "is decreasing"},

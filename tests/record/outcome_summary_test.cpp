@@ -45,7 +45,7 @@ TEST(OutcomeSummary, SharesAreThoseOfTheEndAndAfter60s) {
   const OutcomeMeasures m = of_shares(0, 150, 2, 1.0 / 150);
   EXPECT_EQ(m.mapped, 149 * (1.0 / 150));
   EXPECT_EQ(m.mapped_60_s, 119 * (1.0 / 150)) << "the last frame of a run of 60 s";
-  EXPECT_EQ(m.mapped_90_s, 135 / 2.0);
+  EXPECT_EQ(m.t_90_mapped_s, 135 / 2.0);
 }
 
 TEST(OutcomeSummary, ARunOf60sHasItsEndAfter60s) {
@@ -53,7 +53,7 @@ TEST(OutcomeSummary, ARunOf60sHasItsEndAfter60s) {
   EXPECT_EQ(m.mapped_60_s, m.mapped);
   EXPECT_EQ(m.mapped_60_s, 899 * 1e-3);
   EXPECT_EQ(of_shares(0, 899, 15, 1e-3).mapped_60_s, std::nullopt) << "shorter";
-  EXPECT_EQ(of_shares(0, 899, 15, 1e-3).mapped_90_s, std::nullopt);
+  EXPECT_EQ(of_shares(0, 899, 15, 1e-3).t_90_mapped_s, std::nullopt);
 }
 
 TEST(OutcomeSummary, TheFirstTimeAt90PercentCounts) {
@@ -63,7 +63,7 @@ TEST(OutcomeSummary, TheFirstTimeAt90PercentCounts) {
     s.mapped = share;
     summary.add(s);
   }
-  EXPECT_EQ(summary.measures().mapped_90_s, 2.0);
+  EXPECT_EQ(summary.measures().t_90_mapped_s, 2.0);
   EXPECT_EQ(summary.measures().mapped, 0.97);
 }
 
@@ -71,7 +71,7 @@ TEST(OutcomeSummary, WhatHappenedBeforeAResumedRunIsUnknown) {
   const OutcomeMeasures m = of_shares(140, 150, 2, 1.0 / 150);
   EXPECT_EQ(m.mapped, 149 * (1.0 / 150));
   EXPECT_EQ(m.mapped_60_s, std::nullopt);
-  EXPECT_EQ(m.mapped_90_s, std::nullopt);
+  EXPECT_EQ(m.t_90_mapped_s, std::nullopt);
 }
 
 TEST(OutcomeSummary, ComparesTheMapAtTheEndWithTheTruth) {

@@ -57,7 +57,7 @@ TEST(RunReport, StatesHowMuchIsMappedAndHowWell) {
       << in_words(r, 4, "x");
   r.in_room = false;
   r.outcome.mapped_60_s = 0.4;
-  r.outcome.mapped_90_s = 88.24;
+  r.outcome.t_90_mapped_s = 88.24;
   EXPECT_NE(in_words(r, 4, "x").find(
                 "mapped       71 % of the unknown points to 5 cm, 40 % after 60 s, 90 % after 88.2 s\n"),
             std::string::npos)

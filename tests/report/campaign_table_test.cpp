@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "incognita/messages/errors.hpp"
+#include "incognita/report/campaign_figure.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -159,6 +160,34 @@ TEST(CampaignTables, QuoteNamesAndContainNoInfinity) {
   EXPECT_HAS(table, "a=2,error_m,1,1,0,2,nan,nan,2,1,0,1,nan,nan,0,1\n");
   EXPECT_EQ(campaign_json(one, statistics_of(one), {"error_m"}).find("inf"), std::string::npos);
   EXPECT_HAS(table_text(one, statistics_of(one), {"error_m"}), "too few");
+}
+
+TEST(CampaignFigure, ShowsMeansWithTheirIntervals) {
+  Campaign campaign = two_variants();
+  campaign.variants[0].varied = {{"a", "\"none\""}};
+  const auto statistics = statistics_of(campaign);
+  const Plot plot = campaign_figure(campaign, statistics, {"failed", "error_m", "of_no_run"});
+  EXPECT_EQ(plot.title, "small, by a");
+  ASSERT_EQ(plot.panels.size(), 2u);
+  const Panel& error = plot.panels[1];
+  EXPECT_EQ(error.title, "error_m");
+  EXPECT_EQ(error.y_names, (std::vector<std::string>{"2", "none"})) << "the first variant is above";
+  ASSERT_EQ(error.curves.size(), 2u);
+  EXPECT_EQ(error.curves[1].x, (std::vector<double>{3.5, 3.6}));
+  EXPECT_EQ(error.curves[1].y, (std::vector<double>{1, 0}));
+  const Interval& mean = find(statistics[1], "error_m").mean;
+  EXPECT_EQ(error.curves[0].x[3], mean.low);
+  EXPECT_EQ(error.curves[0].x[4], mean.high);
+}
+
+TEST(CampaignFigure, HasNoIntervalForASingleRun) {
+  Campaign one = two_variants();
+  one.seeds = {1};
+  for (CampaignVariant& variant : one.variants) variant.runs.resize(1);
+  const Plot plot = campaign_figure(one, statistics_of(one), {"error_m"});
+  ASSERT_EQ(plot.panels.size(), 1u);
+  EXPECT_TRUE(plot.panels[0].curves[0].x.empty());
+  EXPECT_EQ(plot.panels[0].curves[1].x, (std::vector<double>{1, 2}));
 }
 
 TEST(CampaignMeasures, AreTheNumbersOfASummary) {

@@ -24,6 +24,9 @@ struct Varied {
   std::vector<std::string> values;
 };
 
+/// The settings that define a variant, as they were written.
+using Assignments = std::vector<std::pair<std::string, std::string>>;
+
 std::string trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return "";
@@ -39,37 +42,56 @@ std::int64_t seed_of_text(const std::string& text, const std::string& all) {
   return value;
 }
 
-Varied take_apart(const std::string& vary) {
-  const std::size_t equals = vary.find('=');
+/// Splits `key=value,value` of an option. `form`: how it must be written.
+Varied take_apart(const std::string& option, const std::string& text, std::string_view form, char at) {
+  const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw InputError(fmt::format(
-        "--vary {}: must be written section.name=value,value, e.g. --vary decision.step_m=0.2,0.3", vary));
-  Varied varied{vary.substr(0, equals), {}};
+    throw InputError(fmt::format("{} {}: must be written {}", option, text, form));
   try {
-    varied.values = split_values(vary.substr(equals + 1));
+    return {text.substr(0, equals), split_values(text.substr(equals + 1), at)};
   } catch (const InputError& error) {
-    throw InputError(fmt::format("--vary {}: {}", vary, error.what()));
+    throw InputError(fmt::format("{} {}: {}", option, text, error.what()));
   }
-  return varied;
+}
+
+Varied values_of(const std::string& vary) {
+  return take_apart("--vary", vary, "section.name=value,value, e.g. --vary decision.step_m=0.2,0.3", ',');
+}
+
+/// One variant of --variant. Blanks separate its settings, so a value with blanks is written in quotes or brackets.
+Assignments settings_of(const std::string& variant) {
+  constexpr std::string_view form =
+      "'section.name=value section.name=value', e.g. --variant 'decision.step_m=0.2 decision.period_s=1'";
+  std::vector<std::string> parts;
+  try {
+    parts = split_values(trimmed(variant), ' ');
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--variant {}: {}; must be written {}", variant, error.what(), form));
+  }
+  Assignments settings;
+  std::set<std::string> keys;
+  for (const std::string& part : parts) {
+    const Varied one = take_apart("--variant", part, form, ' ');
+    if (!keys.insert(one.key).second)
+      throw InputError(fmt::format("--variant {}: sets {} twice; remove one of them", variant, one.key));
+    settings.emplace_back(one.key, one.values.front());
+  }
+  return settings;
 }
 
 std::string key_of(const std::string& set) { return set.substr(0, set.find('=')); }
 
 /// Refuses a key that is set in two ways, because one of them would be ignored.
-void refuse_two_masters(const CampaignRequest& request, const std::vector<Varied>& lists) {
-  std::set<std::string> keys;
-  for (const Varied& list : lists) {
-    if (list.key == "run.seed") throw InputError("--vary run.seed: give the seeds with --seeds");
-    if (!keys.insert(list.key).second)
-      throw InputError(fmt::format("--vary {}: given twice; put all its values into one list", list.key));
-    if (list.key == "run.duration_s" && request.duration_s)
-      throw InputError("--vary run.duration_s and --duration set the same key; remove one of them");
-  }
+void refuse_two_masters(const CampaignRequest& request, const std::set<std::string>& keys,
+                        const std::string& option) {
+  if (keys.contains("run.seed")) throw InputError(option + " run.seed: give the seeds with --seeds");
+  if (keys.contains("run.duration_s") && request.duration_s)
+    throw InputError(option + " run.duration_s and --duration set the same key; remove one of them");
   for (const std::string& set : request.sets) {
     if (key_of(set) == "run.seed") throw InputError("--set run.seed: give the seeds with --seeds");
     if (keys.contains(key_of(set)))
       throw InputError(
-          fmt::format("--set {0} and --vary {0} set the same key; remove one of them", key_of(set)));
+          fmt::format("--set {0} and {1} {0} set the same key; remove one of them", key_of(set), option));
   }
 }
 
@@ -80,7 +102,9 @@ std::string plain(const std::string& written) {
   return quoted ? written.substr(1, written.size() - 2) : written;
 }
 
-void describe(Variant& variant, const LoadedScenario& loaded, const std::vector<Varied>& lists) {
+/// `assigned`: what defines the variant; `keys`: all that differ in some variant.
+void describe(Variant& variant, const LoadedScenario& loaded, const Assignments& assigned,
+              const std::set<std::string>& keys) {
   if (loaded.scenario.is_robot())
     throw InputError(
         loaded.source_of("world.type") +
@@ -94,36 +118,43 @@ void describe(Variant& variant, const LoadedScenario& loaded, const std::vector<
       variant.files[setting.key] =
           digest_of(read_file(find_named_file(loaded, setting.key, file), largest_named_file));
   }
-  for (const Varied& list : lists) {
-    const std::string& value = variant.settings.at(list.key);
-    variant.varied[list.key] = value;
-    variant.name += (variant.name.empty() ? "" : " ") + list.key + "=" + plain(value);
-  }
-  if (lists.empty()) variant.name = loaded.name;
+  for (const std::string& key : keys)  // a setting that follows another has no value of its own here
+    if (const auto found = variant.settings.find(key); found != variant.settings.end())
+      variant.varied.insert(*found);
+  for (const auto& [key, value] : assigned)
+    variant.name += (variant.name.empty() ? "" : " ") + key + "=" + plain(variant.settings.at(key));
+  if (assigned.empty()) variant.name = loaded.name;
 }
 
-std::vector<Variant> all_variants(const CampaignRequest& request, const std::vector<Varied>& lists,
-                                  std::size_t count) {
-  std::vector<Variant> variants(count);
+/// All combinations; the first list changes slowest.
+std::vector<Assignments> combinations(const std::vector<Varied>& lists, std::size_t count) {
+  std::vector<Assignments> all(count);
   for (std::size_t v = 0; v < count; ++v) {
     std::size_t left = v, block = count;
     for (const Varied& list : lists) {
       block /= list.values.size();
-      variants[v].flags.push_back({list.key, list.values[left / block], "--vary"});
+      all[v].emplace_back(list.key, list.values[left / block]);
       left %= block;
     }
-    if (request.duration_s)
-      variants[v].flags.push_back({"run.duration_s", *request.duration_s, "--duration"});
   }
-  return variants;
+  return all;
 }
 
-void refuse_duplicates(const std::vector<Variant>& variants) {
+/// The scenario as it is, then each variant.
+std::vector<Assignments> with_the_scenario(const CampaignRequest& request) {
+  if (!request.vary.empty())
+    throw InputError("--variant and --vary: a campaign has one of them; write the combinations as variants");
+  std::vector<Assignments> all{{}};
+  for (const std::string& variant : request.variants) all.push_back(settings_of(variant));
+  return all;
+}
+
+void refuse_duplicates(const std::vector<Variant>& variants, const std::string& option) {
   std::set<std::string> names;
   for (const Variant& variant : variants)
     if (!names.insert(variant.name).second)
       throw InputError(
-          fmt::format("--vary: the variant {} occurs twice; remove one of its values", variant.name));
+          fmt::format("{}: the variant {} occurs twice; remove one of them", option, variant.name));
 }
 
 /// The variant with the named values, and the first value of all other keys.
@@ -131,7 +162,7 @@ std::size_t find_baseline(const CampaignRequest& request, const CampaignPlan& pl
                           const std::vector<Varied>& lists) {
   std::map<std::string, std::string> requested = plan.variants.front().varied;
   for (const std::string& assignment : request.baseline) {
-    const Varied named = take_apart(assignment);
+    const Varied named = take_apart("--baseline", assignment, "section.name=value", ',');
     const auto list =
         std::find_if(lists.begin(), lists.end(), [&](const Varied& l) { return l.key == named.key; });
     if (list == lists.end())
@@ -169,12 +200,12 @@ std::string digest_of(const CampaignPlan& plan) {
   return digest_of(text);
 }
 
-std::vector<std::string> split_values(const std::string& text) {
+std::vector<std::string> split_values(const std::string& text, char at) {
   std::vector<std::string> values(1);
   int depth = 0;
   char quote = 0;
   for (const char c : text) {
-    if (c == ',' && depth == 0 && !quote) {
+    if (c == at && depth == 0 && !quote) {
       values.emplace_back();
       continue;
     }
@@ -188,11 +219,10 @@ std::vector<std::string> split_values(const std::string& text) {
     if (depth < 0) break;
   }
   if (depth != 0 || quote) throw InputError("brackets or quotes do not close");
-  for (std::string& value : values) {
-    value = trimmed(value);
-    if (value.empty())
-      throw InputError("a value is missing; commas stand between values, except inside brackets and quotes");
-  }
+  for (std::string& value : values) value = trimmed(value);
+  if (at == ' ') std::erase(values, "");  // several blanks separate like one
+  if (values.empty() || std::ranges::find(values, "") != values.end())
+    throw InputError("a value is missing; commas stand between values, except inside brackets and quotes");
   return values;
 }
 
@@ -229,26 +259,41 @@ LoadedScenario load_run(const CampaignPlan& plan, const Variant& variant, std::i
 }
 
 CampaignPlan plan_campaign(const CampaignRequest& request) {
+  const std::string option = request.variants.empty() ? "--vary" : "--variant";
   std::vector<Varied> lists;
-  for (const std::string& vary : request.vary) lists.push_back(take_apart(vary));
-  refuse_two_masters(request, lists);
+  std::set<std::string> keys;
+  for (const std::string& vary : request.vary) {
+    lists.push_back(values_of(vary));
+    if (!keys.insert(lists.back().key).second)
+      throw InputError(
+          fmt::format("--vary {}: given twice; put all its values into one list", lists.back().key));
+  }
   CampaignPlan plan;
   plan.scenario = request.scenario;
   plan.sets = request.sets;
   plan.seeds = parse_seeds(request.seeds);
-  std::size_t count = 1;
+  std::size_t count = 1 + request.variants.size();
   for (const Varied& list : lists) {
     count *= list.values.size();
-    if (count * plan.seeds.size() > most_runs)
-      throw InputError(fmt::format("campaign: more than {} runs; fewer --seeds or --vary values", most_runs));
+    if (count * plan.seeds.size() > most_runs) break;
   }
-  plan.variants = all_variants(request, lists, count);
-  for (Variant& variant : plan.variants) {
+  if (count * plan.seeds.size() > most_runs)
+    throw InputError(fmt::format("campaign: more than {} runs; fewer --seeds or {}", most_runs,
+                                 request.variants.empty() ? "--vary values" : "--variant"));
+  const std::vector<Assignments> assigned =
+      request.variants.empty() ? combinations(lists, count) : with_the_scenario(request);
+  for (const Assignments& variant : assigned)
+    for (const auto& [key, value] : variant) keys.insert(key);
+  refuse_two_masters(request, keys, option);
+  for (const Assignments& settings : assigned) {
+    Variant& variant = plan.variants.emplace_back();
+    for (const auto& [key, value] : settings) variant.flags.push_back({key, value, option});
+    if (request.duration_s) variant.flags.push_back({"run.duration_s", *request.duration_s, "--duration"});
     const LoadedScenario loaded = load_run(plan, variant, plan.seeds.back());
     plan.scenario_name = loaded.name;
-    describe(variant, loaded, lists);
+    describe(variant, loaded, settings, keys);
   }
-  refuse_duplicates(plan.variants);
+  refuse_duplicates(plan.variants, option);
   plan.baseline = find_baseline(request, plan, lists);
   return plan;
 }

@@ -15,17 +15,21 @@ namespace incognita {
 /// The command-line request, unparsed.
 struct CampaignRequest {
   std::string scenario = "room";
-  std::string seeds = "1..10";        ///< "1..100", "3", "1,5,10..20"
-  std::vector<std::string> sets;      ///< "key=value", for all variants
-  std::vector<std::string> vary;      ///< "key=value,value"
+  std::string seeds = "1..10";    ///< "1..100", "3", "1,5,10..20"
+  std::vector<std::string> sets;  ///< "key=value", for all variants
+  std::vector<std::string> vary;  ///< "key=value,value"
+  std::vector<std::string>
+      variants;  ///< "key=value key=value", each compared with the scenario as it is; not beside `vary`
   std::vector<std::string> baseline;  ///< "key=value"; keys not named take their first value
   std::optional<std::string> duration_s;
 };
 
 struct Variant {
-  std::string name;  ///< "decision.strategy=none decision.step_m=0.2"; the scenario's name if nothing varies
-  std::vector<Flag> flags;                    ///< what defines it, including the duration
-  std::map<std::string, std::string> varied;  ///< key and value in TOML
+  std::string
+      name;  ///< "decision.strategy=none decision.step_m=0.2"; the scenario's name if nothing is changed
+  std::vector<Flag> flags;  ///< what defines it, including the duration
+  std::map<std::string, std::string>
+      varied;  ///< of every key that differs in some variant, the value in TOML
   /// Everything its runs depend on except the seed: all settings in force, in TOML, except those derived from others.
   std::map<std::string, std::string> settings;
   std::map<std::string, std::string> files;  ///< digests of small files that settings name, by key
@@ -57,9 +61,9 @@ std::string digest_of(const CampaignPlan& plan);
 /// Parses "1..3,7" as 1 2 3 7. Throws InputError unless given as increasing ranges of integers without duplicates.
 std::vector<std::int64_t> parse_seeds(const std::string& text);
 
-/// Splits at commas outside brackets and quotes: `[1, 2],[3, 4]` are two values. Throws InputError for an
-/// empty value and for unbalanced brackets or quotes.
-std::vector<std::string> split_values(const std::string& text);
+/// Splits at commas, or at another character, outside brackets and quotes: `[1, 2],[3, 4]` are two values. Throws InputError for
+/// an empty value and for unbalanced brackets or quotes.
+std::vector<std::string> split_values(const std::string& text, char at = ',');
 
 /// A digest of 16 hexadecimal digits.
 std::string digest_of(const std::string& text);

@@ -10,6 +10,7 @@
 #include "incognita/app/console/print_message.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/record/files/durable_file.hpp"
+#include "incognita/report/campaign_figure.hpp"
 #include "incognita/report/campaign_table.hpp"
 
 namespace incognita {
@@ -27,7 +28,7 @@ constexpr const char* worth_reporting[] = {"failed",
                                            "entropy.total",
                                            "exploration.entropy_extended",
                                            "landmarks",
-                                           "exploration.mapped_90_s",
+                                           "exploration.t_90_mapped_s",
                                            "exploration.mapped_60_s",
                                            "exploration.mapped",
                                            "map_error_m",
@@ -91,6 +92,14 @@ std::vector<std::string> shown(const std::vector<VariantStatistics>& statistics)
   return names;
 }
 
+/// Draws the measures that the terminal shows.
+void draw_figure(const CampaignFolder& folder, const Plot& plot) {
+  if (plot.panels.empty()) return;
+  std::vector<std::string> warnings;
+  draw_plot(folder.path(), plot, &warnings);
+  for (const std::string& warning : warnings) print_message("{}\n", warning);
+}
+
 void print_text(const Campaign& campaign, const std::vector<VariantStatistics>& statistics,
                 const std::vector<std::string>& measures) {
   fmt::print("{}", table_text(campaign, statistics, measures));
@@ -129,10 +138,13 @@ int report_campaign(const CampaignPlan& plan, const CampaignFolder& folder, cons
   write_durably(folder.path() / "timings.csv", timings_csv(campaign));
   write_durably(folder.path() / "table.csv", table_csv(campaign, statistics, in_files));
   write_durably(folder.path() / "campaign.json", json);
+  const std::vector<std::string> on_terminal =
+      options.measures.empty() ? shown(statistics) : options.measures;
+  draw_figure(folder, campaign_figure(campaign, statistics, on_terminal));
   if (options.json)
     fmt::print("{}", json);
   else
-    print_text(campaign, statistics, options.measures.empty() ? shown(statistics) : options.measures);
+    print_text(campaign, statistics, on_terminal);
   print_message("{} measures in {}\n", in_files.size(), (folder.path() / "table.csv").string());
   if (ended == plan.runs()) return 0;
   print_message("incognita: {} of {} runs are missing; the same command without --table makes them\n",

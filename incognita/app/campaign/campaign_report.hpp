@@ -13,7 +13,7 @@ struct ReportOptions {
   bool json = false;                  ///< JSON on standard output
 };
 
-/// Writes runs.csv, timings.csv, table.csv and campaign.json from the finished runs, and prints the table.
+/// Writes runs.csv, timings.csv, table.csv, campaign.json and figures/measures.svg from the finished runs, and prints the table.
 /// Returns 0 if all runs have finished, else 1 after reporting how many are missing. Throws InputError for a
 /// measure that no run has.
 int report_campaign(const CampaignPlan& plan, const CampaignFolder& folder, const ReportOptions& options);

@@ -225,6 +225,12 @@ void add_options(CLI::App& command, Options& options) {
           "Values of a setting: one variant each; with several --vary one for each combination. Separated by commas outside of brackets and quotes")
       ->type_name("KEY=VALUE,VALUE")
       ->allow_extra_args(false);
+  command
+      .add_option(
+          "--variant", request.variants,
+          "Instead of --vary: one variant with these settings, compared with the scenario as it is. Separated by blanks outside of brackets and quotes")
+      ->type_name("'KEY=VALUE KEY=VALUE'")
+      ->allow_extra_args(false);
   command.add_option("--set", request.sets, "Override a setting in every variant")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);

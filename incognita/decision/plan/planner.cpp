@@ -51,7 +51,8 @@ bool is_better(const PlanWorth& a, const PlanWorth& b) {
          std::tuple(b.outside_m, b.blocked, b.missing_matches, -b.score);
 }
 
-/// Those that are in view most often after the actions, held for one period and for all.
+/// Those that are in view most often after the actions, held for one period and for all. Of many actions every n-th does: for the
+/// 63 of a free camera every seventh, by which each translation and each turn is among them.
 void Planner::take_landmarks(const Input& now, const BlockVector& start) {
   std::map<BlockId, int> views;
   const auto look = [&](const BlockVector& state) {
@@ -64,7 +65,9 @@ void Planner::take_landmarks(const Input& now, const BlockVector& start) {
   look(start);
   int periods = 0;
   for (const int held : settings_.held_periods) periods += held;
-  for (int action = 0; action < now.actions.count(); ++action) {
+  constexpr int enough = 9;
+  const int step = std::max(1, now.actions.count() / enough);
+  for (int action = 0; action < now.actions.count(); action += step) {
     BlockVector state = start;
     for (int p = 0, m = action; p < periods; ++p, m = now.actions.then(m)) {
       state = now.actions.along(state, m, settings_.period_s);

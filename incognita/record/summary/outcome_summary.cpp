@@ -32,7 +32,7 @@ void OutcomeSummary::add_mapped(const Snapshot& s) {
   // The last frame of a run of 60 s is one period before. A resumed run may begin after either event
   const bool early = !has_come(early_s, s.tick.t + s.tick.dt), few = *s.mapped < most;
   if (!early && was_early_ && !mapped_60_s_) mapped_60_s_ = s.mapped;
-  if (!few && had_few_ && !mapped_90_s_) mapped_90_s_ = s.tick.t;
+  if (!few && had_few_ && !t_90_mapped_s_) t_90_mapped_s_ = s.tick.t;
   was_early_ |= early;
   had_few_ |= few;
 }
@@ -57,7 +57,7 @@ OutcomeMeasures OutcomeSummary::measures() const {
   OutcomeMeasures m;
   m.mapped = mapped_;
   m.mapped_60_s = mapped_60_s_;
-  m.mapped_90_s = mapped_90_s_;
+  m.t_90_mapped_s = t_90_mapped_s_;
   put_map(m);
   if (poses_ > 0) m.position_rms_m = std::sqrt(squares_m2_ / static_cast<double>(poses_));
   m.lost = lost_;

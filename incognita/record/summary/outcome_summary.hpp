@@ -18,7 +18,7 @@ struct OutcomeMeasures {
   /// surface: world/rendered/surface_patches.hpp.
   std::optional<double> mapped;
   std::optional<double> mapped_60_s;  ///< after 60 s; nothing in a shorter run
-  std::optional<double> mapped_90_s;  ///< when 90 % was mapped for the first time, s; nothing if it never was
+  std::optional<double> t_90_mapped_s;  ///< when 90 % was mapped for the first time, s; nothing if it never was
 
   // Over the landmarks in the map at the end whose true position is known, without anchors; nothing without any.
   int landmarks = 0;                  ///< their number
@@ -57,7 +57,7 @@ class OutcomeSummary {
   std::int64_t poses_ = 0;
   bool knows_truth_ = false;
   bool was_early_ = false, had_few_ = false;  ///< at some frame: before 60 s, with less than 90 % mapped
-  std::optional<double> mapped_, mapped_60_s_, mapped_90_s_;
+  std::optional<double> mapped_, mapped_60_s_, t_90_mapped_s_;
   std::vector<SnapshotLandmark> map_;  ///< of the last snapshot
 };
 

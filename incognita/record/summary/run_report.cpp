@@ -76,7 +76,7 @@ std::string outcome_lines(const OutcomeMeasures& outcome, bool in_room) {
   std::string text = fmt::format("{} of the {} to 5 cm", percent(*outcome.mapped),
                                  in_room ? "textured surface" : "unknown points");
   if (outcome.mapped_60_s) text += fmt::format(", {} after 60 s", percent(*outcome.mapped_60_s));
-  if (outcome.mapped_90_s) text += fmt::format(", 90 % after {:.1f} s", *outcome.mapped_90_s);
+  if (outcome.t_90_mapped_s) text += fmt::format(", 90 % after {:.1f} s", *outcome.t_90_mapped_s);
   std::string lines = line("mapped", text);
   if (outcome.within_5_cm && outcome.within_3_sigma)
     lines += line("", fmt::format("{} of the landmarks within 5 cm of the truth, {} within 3 sigma",

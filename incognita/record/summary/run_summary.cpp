@@ -352,7 +352,7 @@ std::string RunSummary::json(RunStatus status, const std::string& reason) const 
                          {"entropy_extended", or_null(exploration_.entropy_extended())},
                          {"mapped", or_null(outcome.mapped)},
                          {"mapped_60_s", or_null(outcome.mapped_60_s)},
-                         {"mapped_90_s", or_null(outcome.mapped_90_s)},
+                         {"t_90_mapped_s", or_null(outcome.t_90_mapped_s)},
                          {"within_5_cm", or_null(outcome.within_5_cm)},
                          {"within_3_sigma", or_null(outcome.within_3_sigma)},
                          {"lost", int{outcome.lost}},

@@ -86,7 +86,7 @@ test("units follow the names of the measures", () => {
     ["exploration.t_14_located_s", "s"], ["vehicles.1.from_path_m.p95", "m"], ["drift_percent", "%"], ["mean_nis", ""],
     ["lost_frames", "frames"], ["consistency.frames_with_truth", "frames"], ["map_error_landmarks", "landmarks"],
     ["failed", "share of runs"], ["ate_m.below:0.1", "share of runs"], ["exploration.coverage", ""], ["decisions", ""],
-    ["exploration.mapped", ""], ["exploration.mapped_60_s", ""], ["exploration.mapped_90_s", "s"],
+    ["exploration.mapped", ""], ["exploration.mapped_60_s", ""], ["exploration.t_90_mapped_s", "s"],
     ["exploration.within_5_cm", ""]])
     assert.equal(unitOf(measure), unit, measure);
   assert.equal(labelOf("ate_m"), "ate_m (m)");

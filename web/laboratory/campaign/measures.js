@@ -26,7 +26,7 @@ const words = {
   'exploration.t_14_located_s': 'time until 14 landmarks were located',
   'exploration.mapped': 'share of the world mapped to 5 cm at the end',
   'exploration.mapped_60_s': 'share of the world mapped to 5 cm after 60 s',
-  'exploration.mapped_90_s': 'time until 90 % of the world was mapped to 5 cm',
+  'exploration.t_90_mapped_s': 'time until 90 % of the world was mapped to 5 cm',
   'exploration.within_5_cm': 'share of the landmarks within 5 cm of the truth',
   'exploration.within_3_sigma': 'share of the landmarks within 3 sigma of the truth',
   'exploration.lost': '1 if lost at the end',

@@ -176,6 +176,41 @@ def path_rows(results: Results, run: str) -> str:
     return "\n".join(rows)
 
 
+def until_mapped(results: Results, campaign: str, variant: str) -> str:
+    """Median time until 90 % of the surface was mapped, where a run that did not get there counts as longer than all others;
+    and in how many rooms it did."""
+    runs = [row for row in results.rows(f"{campaign}/runs.csv") if row["variant"] == variant]
+    times = [float(row["exploration.t_90_mapped_s"] or "nan") for row in runs]
+    known = [math.inf if math.isnan(t) else t for t in times]
+    median = statistics.median(known)
+    return f"{'-' if math.isinf(median) else f'{median:.0f}'} | {sum(map(math.isfinite, known))} of {len(runs)}"
+
+
+def minus_the_first(variant: dict, measure: str, scale: float, digits: int) -> str:
+    """Mean difference from the baseline with its interval."""
+    pairs = variant["measures"][measure].get("versus_baseline")
+    if not pairs:
+        return "-"
+    difference, low, high = (f"{scale * pairs[key]:+.{digits}f}" for key in ("difference", "low", "high"))
+    return f"{difference} ({low} to {high})"
+
+
+def compared_rows(results: Results, campaign: str) -> str:
+    """A campaign of tools/compare-strategies, a row per variant: share mapped after 60 s, and minus that of the first; median time
+    until 90 %, and in how many rooms; errors of map and path, medians, and minus that of the first; diverged."""
+    rows = []
+    for variant in results.document(f"{campaign}/campaign.json")["variants"]:
+        of = variant["measures"]
+        name = variant["name"].removeprefix("decision.strategy=").split(" ")[0]
+        diverged = round(of["exploration.diverged"]["mean"] * of["exploration.diverged"]["n"]) + variant["failed"]
+        rows.append(f"| `{name}` | {100 * of['exploration.mapped_60_s']['mean']:.1f} | "
+                    f"{minus_the_first(variant, 'exploration.mapped_60_s', 100, 1)} | "
+                    f"{until_mapped(results, campaign, variant['name'])} | "
+                    f"{100 * of['map_error_m']['median']:.1f} | {minus_the_first(variant, 'map_error_m', 100, 1)} | "
+                    f"{100 * of['ate_m']['median']:.1f} | {minus_the_first(variant, 'ate_m', 100, 1)} | {diverged} |")
+    return "\n".join(rows)
+
+
 def stages(results: Results, folder: str, *names: str) -> str:
     """Medians of stages of a run, as cells."""
     times = results.summary(folder)["timing_ms"]

@@ -72,8 +72,9 @@ struct DecisionSettings {
     setting(&S::metric, "metric", "", any(),
             "State whose entropy is compared: all, without gaze and velocities, or the vehicle alone");
     setting(&S::horizon, "horizon", "", between(1, 20), "Number of actions planned ahead; 1: greedy");
-    setting(&S::max_evaluations, "max_evaluations", "", between(1, 10000000),
-            "Limit of the sets of predicted measurements in one comparison; with the strategy `plan`, of imagined actions");
+    setting(
+        &S::max_evaluations, "max_evaluations", "", between(1, 10000000),
+        "Limit of the sets of predicted measurements in one comparison; with the strategy `plan`, of imagined actions");
     setting(&S::held_periods, "held_periods", "", between(1, 100),
             "Periods for which the strategy `plan` holds each action after the first");
     setting(&S::views_per_period, "views_per_period", "", between(1, 100),
@@ -115,8 +116,9 @@ struct DecisionSettings {
             "Time for which an action accelerates, once per period");
     setting(&S::accelerations, "accelerations", "", between(-1000, 1000),
             "Actions in place of Table 6.1, [m/s^2, rad/s^2] each; one must be 0");
-    setting(&S::gaze, "gaze", "", any(),
-            "Rotation of a free camera; not used with the strategies `frontier` and `plan`, which turn it themselves");
+    setting(
+        &S::gaze, "gaze", "", any(),
+        "Rotation of a free camera; not used with the strategies `frontier` and `plan`, which turn it themselves");
     setting(&S::gaze_rate_rad_s, "gaze_rate_rad_s", "rad/s", between(0, 10),
             "Angular rate of the gaze, thesis 6.3.1");
     setting(

@@ -18,7 +18,8 @@ struct OutcomeMeasures {
   /// surface: world/rendered/surface_patches.hpp.
   std::optional<double> mapped;
   std::optional<double> mapped_60_s;  ///< after 60 s; nothing in a shorter run
-  std::optional<double> t_90_mapped_s;  ///< when 90 % was mapped for the first time, s; nothing if it never was
+  std::optional<double>
+      t_90_mapped_s;  ///< when 90 % was mapped for the first time, s; nothing if it never was
 
   // Over the landmarks in the map at the end whose true position is known, without anchors; nothing without any.
   int landmarks = 0;                  ///< their number

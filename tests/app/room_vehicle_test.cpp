@@ -62,6 +62,26 @@ TEST(RoomVehicle, BundleAdjustmentKeepsItsMapFromBending) {
   EXPECT_LT(ran.rms_m, 0.15);
 }
 
+/// Images do not show a turn of the whole world. With the usual errors the filter takes the motion of its means for such a view.
+TEST(RoomVehicle, InvariantErrorsKeepItsMapConsistent) {
+  const auto within_3_sigma = [](const char* invariant) {
+    const Ran ran = run(load_scenario(
+        "map-terrain", std::vector<std::string>{"run.seed=3", "run.duration_s=12",
+                                                std::string("estimator.invariant=") + invariant}));
+    EXPECT_EQ(ran.lost, 0);
+    double known = 0, within = 0;
+    for (const SnapshotLandmark& landmark : ran.last.landmarks) {
+      if (landmark.anchor || !landmark.truth) continue;
+      ++known;
+      within += !beyond_three_sigma(*landmark.truth - landmark.position, landmark.covariance);
+    }
+    EXPECT_GT(known, 100);
+    return within / known;
+  };
+  EXPECT_GT(within_3_sigma("true"), 0.95);
+  EXPECT_LT(within_3_sigma("false"), 0.5);
+}
+
 TEST(RoomVehicle, OdometryReducesTheSpeedSigma) {
   const Ran images = drive({"run.duration_s=4"}),
             wheels = drive({"run.duration_s=4", "estimator.use_odometry=true"});

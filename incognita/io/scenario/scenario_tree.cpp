@@ -194,7 +194,7 @@ void image_estimator(SettingReader& r, Scenario& s) {
   r.section("search");
   r.all(s.slam.search);
   landmark_initialization(r, s.slam.initialization);
-  if (!s.is_camera_vehicle() && s.slam.initialization.method != InitializationSettings::Method::depth_line) {
+  if (s.slam.initialization.method != InitializationSettings::Method::depth_line) {
     r.section("estimator");
     r.some(s.slam.filter, &FilterSettings::invariant);
   }

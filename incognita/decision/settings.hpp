@@ -17,9 +17,9 @@ struct DecisionSettings {
     fixed_path,     ///< the actions of `sequence`, cyclically
     lawn_mower,     ///< parallel lanes through the bounds
     wall_follower,  ///< around along the sides of the bounds
-    plan,           ///< motion and gaze together, several moves ahead, for pose and map to a resolution
-    frontier,       ///< to where the nearest unseen cells come into view
-    none            ///< always "stay"
+    plan,      ///< motion and gaze together, one or several actions ahead, for pose and map to a resolution
+    frontier,  ///< to where the nearest unseen cells come into view
+    none       ///< always "stay"
   };
   enum class Schedule {
     every_frame,   ///< scores all actions in every frame

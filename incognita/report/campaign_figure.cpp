@@ -1,6 +1,7 @@
 #include "incognita/report/campaign_figure.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,18 +12,33 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Where a single setting differs its key stands in the title.
-std::string row_name(const CampaignVariant& variant) {
-  if (variant.varied.size() != 1) return variant.name;
-  const std::string& value = variant.varied.front().second;
+std::string without_quotes(const std::string& value) {
   const bool quoted = value.size() >= 2 && value.front() == '"' && value.back() == '"';
   return quoted ? value.substr(1, value.size() - 2) : value;
 }
 
-std::string title_of(const Campaign& campaign) {
-  const auto& varied = campaign.variants.front().varied;
-  return varied.size() == 1 ? fmt::format("{}, by {}", campaign.scenario, varied.front().first)
-                            : campaign.scenario;
+/// Without the section: `decision.strategy` as `strategy`.
+std::string last_part(const std::string& key) { return key.substr(key.find('.') + 1); }
+
+std::vector<std::string> keys_of(const CampaignVariant& variant) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : variant.varied) keys.push_back(key);
+  return keys;
+}
+
+/// Whether all variants are values of the same settings, which then stand in the title and not in each row.
+bool share_keys(const Campaign& campaign) {
+  return std::ranges::all_of(campaign.variants, [&](const CampaignVariant& variant) {
+    return !variant.varied.empty() && keys_of(variant) == keys_of(campaign.variants.front());
+  });
+}
+
+std::string row_name(const CampaignVariant& variant, bool keys_in_title) {
+  if (variant.varied.empty()) return variant.name;
+  std::vector<std::string> parts;
+  for (const auto& [key, value] : variant.varied)
+    parts.push_back((keys_in_title ? "" : last_part(key) + "=") + without_quotes(value));
+  return fmt::format("{}", fmt::join(parts, keys_in_title ? ", " : " "));
 }
 
 const MeasureStatistics* find(const VariantStatistics& of, const std::string& measure) {
@@ -55,9 +71,14 @@ Panel panel_of(const std::vector<VariantStatistics>& statistics, const std::stri
 
 Plot campaign_figure(const Campaign& campaign, const std::vector<VariantStatistics>& statistics,
                      const std::vector<std::string>& measures) {
-  Plot plot{"measures", title_of(campaign), 2, {}};
+  const bool keys_in_title = share_keys(campaign);
   std::vector<std::string> rows;
-  for (const CampaignVariant& variant : campaign.variants) rows.push_back(row_name(variant));
+  for (const CampaignVariant& variant : campaign.variants) rows.push_back(row_name(variant, keys_in_title));
+  constexpr std::size_t narrow = 24;  // characters that leave room for two panels beside each other
+  const bool fit = std::ranges::all_of(rows, [&](const std::string& row) { return row.size() <= narrow; });
+  Plot plot{"measures", campaign.scenario, fit ? 2 : 1, {}};
+  if (keys_in_title)
+    plot.title += fmt::format(", by {}", fmt::join(keys_of(campaign.variants.front()), ", "));
   std::ranges::reverse(rows);
   for (const std::string& measure : measures) {
     Panel panel = panel_of(statistics, measure);

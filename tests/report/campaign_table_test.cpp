@@ -168,6 +168,7 @@ TEST(CampaignFigure, ShowsMeansWithTheirIntervals) {
   const auto statistics = statistics_of(campaign);
   const Plot plot = campaign_figure(campaign, statistics, {"failed", "error_m", "of_no_run"});
   EXPECT_EQ(plot.title, "small, by a");
+  EXPECT_EQ(plot.columns, 2);
   ASSERT_EQ(plot.panels.size(), 2u);
   const Panel& error = plot.panels[1];
   EXPECT_EQ(error.title, "error_m");
@@ -178,6 +179,18 @@ TEST(CampaignFigure, ShowsMeansWithTheirIntervals) {
   const Interval& mean = find(statistics[1], "error_m").mean;
   EXPECT_EQ(error.curves[0].x[3], mean.low);
   EXPECT_EQ(error.curves[0].x[4], mean.high);
+}
+
+TEST(CampaignFigure, NamesRowsByWhatDiffers) {
+  Campaign campaign = two_variants();
+  campaign.variants[0].name = "small";
+  campaign.variants[0].varied = {};
+  campaign.variants[1].varied = {{"map.max_landmarks", "800"}, {"decision.strategy", "\"lawn-mower\""}};
+  const Plot plot = campaign_figure(campaign, statistics_of(campaign), {"error_m"});
+  EXPECT_EQ(plot.title, "small");
+  EXPECT_EQ(plot.columns, 1);
+  EXPECT_EQ(plot.panels[0].y_names,
+            (std::vector<std::string>{"max_landmarks=800 strategy=lawn-mower", "small"}));
 }
 
 TEST(CampaignFigure, HasNoIntervalForASingleRun) {

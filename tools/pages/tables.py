@@ -177,37 +177,43 @@ def path_rows(results: Results, run: str) -> str:
 
 
 def until_mapped(results: Results, campaign: str, variant: str) -> str:
-    """Median time until 90 % of the surface was mapped, where a run that did not get there counts as longer than all others;
-    and in how many rooms it did."""
+    """Median time until 90 % of the surface was mapped, where a run that did not get there or failed counts as longer than all
+    others; and in how many rooms it did."""
     runs = [row for row in results.rows(f"{campaign}/runs.csv") if row["variant"] == variant]
-    times = [float(row["exploration.t_90_mapped_s"] or "nan") for row in runs]
+    times = [float(row["exploration.t_90_mapped_s"] or "nan") if row["status"] == "done" else math.nan for row in runs]
     known = [math.inf if math.isnan(t) else t for t in times]
     median = statistics.median(known)
     return f"{'-' if math.isinf(median) else f'{median:.0f}'} | {sum(map(math.isfinite, known))} of {len(runs)}"
 
 
-def minus_the_first(variant: dict, measure: str, scale: float, digits: int) -> str:
-    """Mean difference from the baseline with its interval."""
+def number(results: Results, value: float | None, scale: float = 1, digits: int = 1) -> str:
+    """A measure of campaign.json; `-` without a value."""
+    return "-" if value is None else f"{scale * value:.{digits}f}"
+
+
+def minus_the_baseline(results: Results, variant: dict, measure: str, scale: float = 1) -> str:
+    """Mean difference with its interval."""
     pairs = variant["measures"][measure].get("versus_baseline")
-    if not pairs:
+    if not pairs or pairs["low"] is None:
         return "-"
-    difference, low, high = (f"{scale * pairs[key]:+.{digits}f}" for key in ("difference", "low", "high"))
+    difference, low, high = (f"{scale * pairs[key]:+.1f}" for key in ("difference", "low", "high"))
     return f"{difference} ({low} to {high})"
 
 
 def compared_rows(results: Results, campaign: str) -> str:
-    """A campaign of tools/compare-strategies, a row per variant: share mapped after 60 s, and minus that of the first; median time
-    until 90 %, and in how many rooms; errors of map and path, medians, and minus that of the first; diverged."""
+    """A campaign of tools/compare-strategies, a row per variant: share mapped after 60 s, and minus that of the baseline; median time
+    until 90 %, and in how many rooms; errors of map and path, medians, and minus those of the baseline; diverged or failed."""
     rows = []
     for variant in results.document(f"{campaign}/campaign.json")["variants"]:
         of = variant["measures"]
         name = variant["name"].removeprefix("decision.strategy=").split(" ")[0]
-        diverged = round(of["exploration.diverged"]["mean"] * of["exploration.diverged"]["n"]) + variant["failed"]
-        rows.append(f"| `{name}` | {100 * of['exploration.mapped_60_s']['mean']:.1f} | "
-                    f"{minus_the_first(variant, 'exploration.mapped_60_s', 100, 1)} | "
-                    f"{until_mapped(results, campaign, variant['name'])} | "
-                    f"{100 * of['map_error_m']['median']:.1f} | {minus_the_first(variant, 'map_error_m', 100, 1)} | "
-                    f"{100 * of['ate_m']['median']:.1f} | {minus_the_first(variant, 'ate_m', 100, 1)} | {diverged} |")
+        diverged = round((of["exploration.diverged"]["mean"] or 0) * of["exploration.diverged"]["n"]) + variant["failed"]
+        cells = [f"`{name}`", number(results, of["exploration.mapped_60_s"]["mean"], 100),
+                 minus_the_baseline(results, variant, "exploration.mapped_60_s", 100),
+                 until_mapped(results, campaign, variant["name"])]
+        for error in ("map_error_m", "ate_m"):
+            cells += [number(results, of[error]["median"], 100), minus_the_baseline(results, variant, error, 100)]
+        rows.append("| " + " | ".join(cells) + f" | {diverged} |")
     return "\n".join(rows)
 
 

@@ -61,7 +61,7 @@ Varied values_of(const std::string& vary) {
 /// One variant of --variant. Blanks separate its settings, so a value with blanks is written in quotes or brackets.
 Assignments settings_of(const std::string& variant) {
   constexpr std::string_view form =
-      "'section.name=value section.name=value', e.g. --variant 'decision.step_m=0.2 decision.period_s=1'";
+      "'section.name=value section.name=value', a value with blanks in quotes, e.g. --variant 'decision.step_m=0.2 decision.period_s=1'";
   std::vector<std::string> parts;
   try {
     parts = split_values(trimmed(variant), ' ');
@@ -71,6 +71,9 @@ Assignments settings_of(const std::string& variant) {
   Assignments settings;
   std::set<std::string> keys;
   for (const std::string& part : parts) {
+    if (part.find('=') == std::string::npos || part.ends_with('='))
+      throw InputError(
+          fmt::format("--variant {}: `{}` has no value; must be written {}", variant, part, form));
     const Varied one = take_apart("--variant", part, form, ' ');
     if (!keys.insert(one.key).second)
       throw InputError(fmt::format("--variant {}: sets {} twice; remove one of them", variant, one.key));
@@ -102,9 +105,8 @@ std::string plain(const std::string& written) {
   return quoted ? written.substr(1, written.size() - 2) : written;
 }
 
-/// `assigned`: what defines the variant; `keys`: all that differ in some variant.
-void describe(Variant& variant, const LoadedScenario& loaded, const Assignments& assigned,
-              const std::set<std::string>& keys) {
+/// `assigned`: what defines the variant.
+void describe(Variant& variant, const LoadedScenario& loaded, const Assignments& assigned) {
   if (loaded.scenario.is_robot())
     throw InputError(
         loaded.source_of("world.type") +
@@ -118,11 +120,11 @@ void describe(Variant& variant, const LoadedScenario& loaded, const Assignments&
       variant.files[setting.key] =
           digest_of(read_file(find_named_file(loaded, setting.key, file), largest_named_file));
   }
-  for (const std::string& key : keys)  // a setting that follows another has no value of its own here
-    if (const auto found = variant.settings.find(key); found != variant.settings.end())
-      variant.varied.insert(*found);
-  for (const auto& [key, value] : assigned)
-    variant.name += (variant.name.empty() ? "" : " ") + key + "=" + plain(variant.settings.at(key));
+  for (const auto& [key, value] : assigned) {
+    const std::string& in_force = variant.settings.at(key);
+    variant.varied[key] = in_force;
+    variant.name += (variant.name.empty() ? "" : " ") + key + "=" + plain(in_force);
+  }
   if (assigned.empty()) variant.name = loaded.name;
 }
 
@@ -144,17 +146,24 @@ std::vector<Assignments> combinations(const std::vector<Varied>& lists, std::siz
 std::vector<Assignments> with_the_scenario(const CampaignRequest& request) {
   if (!request.vary.empty())
     throw InputError("--variant and --vary: a campaign has one of them; write the combinations as variants");
+  if (!request.baseline.empty())
+    throw InputError(
+        "--baseline and --variant: variants are compared with the scenario as it is; remove --baseline");
   std::vector<Assignments> all{{}};
   for (const std::string& variant : request.variants) all.push_back(settings_of(variant));
   return all;
 }
 
 void refuse_duplicates(const std::vector<Variant>& variants, const std::string& option) {
-  std::set<std::string> names;
-  for (const Variant& variant : variants)
-    if (!names.insert(variant.name).second)
+  std::map<std::pair<std::map<std::string, std::string>, std::map<std::string, std::string>>, std::string>
+      names;
+  for (const Variant& variant : variants) {
+    const auto [same, is_new] = names.try_emplace({variant.settings, variant.files}, variant.name);
+    if (!is_new)
       throw InputError(
-          fmt::format("{}: the variant {} occurs twice; remove one of them", option, variant.name));
+          fmt::format("{}: the variant {} occurs twice: its settings are those of {}; remove one of them",
+                      option, variant.name, same->second));
+  }
 }
 
 /// The variant with the named values, and the first value of all other keys.
@@ -222,7 +231,9 @@ std::vector<std::string> split_values(const std::string& text, char at) {
   for (std::string& value : values) value = trimmed(value);
   if (at == ' ') std::erase(values, "");  // several blanks separate like one
   if (values.empty() || std::ranges::find(values, "") != values.end())
-    throw InputError("a value is missing; commas stand between values, except inside brackets and quotes");
+    throw InputError(
+        at == ' ' ? "a value is missing"
+                  : "a value is missing; commas stand between values, except inside brackets and quotes");
   return values;
 }
 
@@ -291,7 +302,7 @@ CampaignPlan plan_campaign(const CampaignRequest& request) {
     if (request.duration_s) variant.flags.push_back({"run.duration_s", *request.duration_s, "--duration"});
     const LoadedScenario loaded = load_run(plan, variant, plan.seeds.back());
     plan.scenario_name = loaded.name;
-    describe(variant, loaded, settings, keys);
+    describe(variant, loaded, settings);
   }
   refuse_duplicates(plan.variants, option);
   plan.baseline = find_baseline(request, plan, lists);

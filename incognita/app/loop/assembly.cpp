@@ -29,10 +29,12 @@ Assembly assembled(const LoadedScenario& loaded, const LiveSources& sources) {
 std::string note_of_gaze(const LoadedScenario& loaded) {
   const DecisionSettings& d = loaded.scenario.decision;
   const std::string source = loaded.source_of("decision.gaze");
-  if (d.strategy != DecisionSettings::Strategy::frontier || source == "default") return {};
-  return fmt::format(
-      "decision.gaze = `{}` (from {}) is not used: the strategy `frontier` turns the gaze itself",
-      word_of(d.gaze), source);
+  const bool plans = d.strategy == DecisionSettings::Strategy::plan;
+  const bool given = plans ? source.starts_with("--")
+                           : source != "default";  // files name the gaze of the other strategies too
+  if (!(plans || d.strategy == DecisionSettings::Strategy::frontier) || !given) return {};
+  return fmt::format("decision.gaze = `{}` (from {}) is not used: the strategy `{}` turns the gaze itself",
+                     word_of(d.gaze), source, plans ? "plan" : "frontier");
 }
 
 }  // namespace

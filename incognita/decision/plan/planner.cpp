@@ -26,7 +26,7 @@ void thin_out(std::vector<PredictedMeasurement>& measurements, int most) {
   });
 }
 
-/// `A` is linearized at rest. An error of the orientation is in the axes of the body, which turn, and it displaces the way:
+/// `A` is linearized at rest. An error of the orientation is in the axes of the body, which turn, and it rotates the displacement:
 /// without both, a turn of the world that body and map share would seem to be observable (slam/mapper/invariant_errors.hpp).
 BlockMatrix along_the_way(const BlockMatrix& A, const BlockVector& before, const BlockVector& after) {
   constexpr int rotation = 3;  // first row of its errors
@@ -51,8 +51,9 @@ bool is_better(const PlanWorth& a, const PlanWorth& b) {
          std::tuple(b.outside_m, b.blocked, b.missing_matches, -b.score);
 }
 
-/// Those that are in view most often after the actions, held for one period and for all. Of many actions every n-th does: for the
-/// 63 of a free camera every seventh, by which each translation and each turn is among them.
+/// Those that are in view most often after the actions, held for one period and for all. Of many actions only every n-th is tried:
+/// of the 63 of a free camera every seventh, so that each translation and each turn is among them. There are 3 or 9 turns, so n is
+/// no multiple of 3.
 void Planner::take_landmarks(const Input& now, const BlockVector& start) {
   std::map<BlockId, int> views;
   const auto look = [&](const BlockVector& state) {
@@ -66,7 +67,8 @@ void Planner::take_landmarks(const Input& now, const BlockVector& start) {
   int periods = 0;
   for (const int held : settings_.held_periods) periods += held;
   constexpr int enough = 9;
-  const int step = std::max(1, now.actions.count() / enough);
+  int step = std::max(1, now.actions.count() / enough);
+  if (step % 3 == 0) --step;
   for (int action = 0; action < now.actions.count(); action += step) {
     BlockVector state = start;
     for (int p = 0, m = action; p < periods; ++p, m = now.actions.then(m)) {

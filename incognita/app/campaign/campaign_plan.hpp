@@ -27,9 +27,8 @@ struct CampaignRequest {
 struct Variant {
   std::string
       name;  ///< "decision.strategy=none decision.step_m=0.2"; the scenario's name if nothing is changed
-  std::vector<Flag> flags;  ///< what defines it, including the duration
-  std::map<std::string, std::string>
-      varied;  ///< key and value in TOML of what defines it
+  std::vector<Flag> flags;                    ///< what defines it, including the duration
+  std::map<std::string, std::string> varied;  ///< key and value in TOML of what defines it
   /// Everything its runs depend on except the seed: all settings in force, in TOML, except those derived from others.
   std::map<std::string, std::string> settings;
   std::map<std::string, std::string> files;  ///< digests of small files that settings name, by key

@@ -15,6 +15,7 @@ incognita_docs_test(docs_marks tools/make-docs --lint)
 incognita_docs_test(docs_commands_tool tests/docs/doc_commands_test.py $<TARGET_FILE:incognita_program>)
 incognita_docs_test(docs_commands tools/check-doc-commands --program $<TARGET_FILE:incognita_program>)
 incognita_docs_test(docs_ledger_page_tool tests/docs/ledger_page_test.py)
+incognita_docs_test(docs_comparison tests/docs/describe_comparison_test.py)
 incognita_docs_test(docs_ledger_page tools/make-ledger-page --check docs/ledger)
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT INCOGNITA_SANITIZE)  # elsewhere it takes too long
   incognita_docs_test(docs_sample tools/make-docs --check --sample --build ${PROJECT_BINARY_DIR})

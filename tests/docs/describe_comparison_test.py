@@ -1,0 +1,111 @@
+"""tools/describe-comparison and the rows of the comparison in the pages say what a campaign shows, also where values are missing."""
+
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+from pages import tables  # noqa: E402
+from pages.results import Results  # noqa: E402
+
+MEASURES = {"exploration.mapped_60_s": (0.9, 0.85), "exploration.t_90_mapped_s": (50, 55), "map_error_m": (0.02, 0.03),
+            "ate_m": (0.01, 0.02), "exploration.diverged": (0, 0)}
+
+
+def measures(which: int, difference: dict | None) -> dict:
+    """Of the plan (0), of the sweep (1), or of a strategy whose runs all failed (2)."""
+    found = {}
+    for name, values in MEASURES.items():
+        value = values[which] if which < 2 else None
+        found[name] = {"n": 5 if which < 2 else 0, "ended": 5, "mean": value, "low": value, "high": value, "median": value}
+        if difference:
+            found[name]["versus_baseline"] = difference
+    return found
+
+
+def variant(name: str, which: int, difference: dict | None) -> dict:
+    varied = {"decision.strategy": json.dumps(name)} if which else {}
+    return {"name": f"decision.strategy={name}" if which else name, "varied": varied, "runs": 5, "done": 0 if which == 2 else 5,
+            "failed": 5 if which == 2 else 0, "measures": measures(which, difference)}
+
+
+class Comparison(unittest.TestCase):
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.folder = Path(self.scratch.name)
+        self.write({"difference": -0.05, "low": -0.06, "high": -0.04})
+
+    def tearDown(self):
+        self.scratch.cleanup()
+
+    def write(self, sweep_minus_plan: dict):
+        nothing = {"difference": None, "low": None, "high": None}
+        variants = [variant("map-room", 0, None), variant("lawn-mower", 1, sweep_minus_plan), variant("none", 2, nothing)]
+        self.put("campaign.json", json.dumps({"seeds": [1, 2, 3, 4, 5], "baseline": "map-room", "variants": variants}))
+        runs, timings = "variant,seed,status,exploration.t_90_mapped_s\n", "variant,seed,timing_ms.decision.p99,timing_ms.frame.p99\n"
+        for v in variants:
+            for seed in range(1, 6):
+                reached = 40 + seed if seed < 4 or v["name"] == "map-room" else "nan"
+                runs += f"{v['name']},{seed},{'failed' if v['failed'] else 'done'},{reached}\n"
+                timings += f"{v['name']},{seed},{'nan,nan' if v['failed'] else '5,20'}\n"
+        self.put("runs.csv", runs)
+        self.put("timings.csv", timings)
+
+    def put(self, name: str, text: str):
+        (self.folder / name).write_text(text)
+
+    def said(self) -> tuple[int, str]:
+        ended = subprocess.run([sys.executable, ROOT / "tools" / "describe-comparison", self.folder], text=True,
+                               capture_output=True)
+        return ended.returncode, ended.stdout + ended.stderr
+
+    def test_says_what_maps_more_and_what_it_costs(self):
+        code, said = self.said()
+        self.assertEqual(code, 0, said)
+        for words in ("In 5 rooms", "the plan: 90 % of the surface", "90 % mapped in 5 of 5 rooms, after 43 s",
+                      "a sweep in lanes: 85 %", "90 % mapped in 3 of 5 rooms, after 43 s", "it maps more (mean difference +5.0 %",
+                      "the plan: 5.0 ms for the decision, 20 ms in all"):
+            self.assertIn(words, said)
+
+    def test_a_time_that_most_runs_do_not_reach_has_no_median(self):
+        runs = (self.folder / "runs.csv").read_text().replace("lawn-mower,3,done,43", "lawn-mower,3,done,nan")
+        self.put("runs.csv", runs)
+        self.assertIn("90 % mapped in 2 of 5 rooms\n", self.said()[1])
+
+    def test_failed_runs_have_no_values(self):
+        said = self.said()[1]
+        self.assertIn("standing still: share of the surface mapped after 60 s unknown", said)
+        self.assertIn("90 % mapped in 0 of 5 rooms; failed in 5", said)
+        self.assertNotIn("standing still: nan", said)
+
+    def test_says_less_undecided_and_too_few(self):
+        for interval, words in (((0.02, 0.03), "it maps less"), ((-0.02, 0.03), "undecided whether"),
+                                ((None, None), "too few rooms")):
+            self.write({"difference": 0.01, "low": interval[0], "high": interval[1]})
+            self.assertIn(words, self.said()[1])
+
+    def test_refuses_what_it_cannot_describe(self):
+        document = json.loads((self.folder / "campaign.json").read_text())
+        self.put("campaign.json", json.dumps(document | {"baseline": "decision.strategy=none"}))
+        code, said = self.said()
+        self.assertEqual(code, 1)
+        self.assertIn("not its first variant", said)
+        self.put("runs.csv", "variant,seed,status\nmap-room,1,done\n")
+        self.put("campaign.json", json.dumps(document))
+        self.assertIn("no 'exploration.t_90_mapped_s'", self.said()[1])
+        (self.folder / "campaign.json").unlink()
+        self.assertEqual(self.said()[0], 1)
+
+    def test_rows_of_the_page(self):
+        rows = tables.compared_rows(Results(self.folder.parent, {}), self.folder.name).split("\n")
+        self.assertEqual(rows[0], "| `map-room` | 90.0 | - | 43 | 5 of 5 | 2.0 | - | 1.0 | - | 0 |")
+        self.assertIn("| `lawn-mower` | 85.0 | -5.0 (-6.0 to -4.0) | 43 | 3 of 5 | 3.0 |", rows[1])
+        self.assertEqual(rows[2], "| `none` | - | - | - | 0 of 5 | - | - | - | - | 5 |")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace incognita {
 namespace {
@@ -20,25 +21,41 @@ std::string without_quotes(const std::string& value) {
 /// Without the section: `decision.strategy` as `strategy`.
 std::string last_part(const std::string& key) { return key.substr(key.find('.') + 1); }
 
-std::vector<std::string> keys_of(const CampaignVariant& variant) {
-  std::vector<std::string> keys;
-  for (const auto& [key, value] : variant.varied) keys.push_back(key);
-  return keys;
+/// The settings that tell the variants apart: not those that all of them change to the same value. A variant that changes nothing,
+/// the scenario as it is, does not count.
+std::vector<std::string> telling_keys(const Campaign& campaign) {
+  std::map<std::string, std::vector<std::string>> values;
+  std::size_t changed = 0;
+  for (const CampaignVariant& variant : campaign.variants) {
+    changed += !variant.varied.empty();
+    for (const auto& [key, value] : variant.varied) values[key].push_back(value);
+  }
+  std::vector<std::string> telling;
+  for (const auto& [key, of] : values) {
+    const bool same =
+        of.size() == changed && std::ranges::all_of(of, [&](const auto& v) { return v == of[0]; });
+    if (!same || values.size() == 1) telling.push_back(key);
+  }
+  return telling;
 }
 
-/// Whether all variants are values of the same settings, which then stand in the title and not in each row.
-bool share_keys(const Campaign& campaign) {
-  return std::ranges::all_of(campaign.variants, [&](const CampaignVariant& variant) {
-    return !variant.varied.empty() && keys_of(variant) == keys_of(campaign.variants.front());
+/// Whether all variants that change something change all of `keys`, which then stand in the title and not in each row.
+bool share(const Campaign& campaign, const std::vector<std::string>& keys) {
+  return !keys.empty() && std::ranges::all_of(campaign.variants, [&](const CampaignVariant& variant) {
+    return variant.varied.empty() || std::ranges::all_of(keys, [&](const std::string& key) {
+             return std::ranges::find(variant.varied, key, [](const auto& varied) { return varied.first; }) !=
+                    variant.varied.end();
+           });
   });
 }
 
-std::string row_name(const CampaignVariant& variant, bool keys_in_title) {
-  if (variant.varied.empty()) return variant.name;
+std::string row_name(const CampaignVariant& variant, const std::vector<std::string>& keys,
+                     bool keys_in_title) {
   std::vector<std::string> parts;
   for (const auto& [key, value] : variant.varied)
-    parts.push_back((keys_in_title ? "" : last_part(key) + "=") + without_quotes(value));
-  return fmt::format("{}", fmt::join(parts, keys_in_title ? ", " : " "));
+    if (std::ranges::find(keys, key) != keys.end())
+      parts.push_back((keys_in_title ? "" : last_part(key) + "=") + without_quotes(value));
+  return parts.empty() ? variant.name : fmt::format("{}", fmt::join(parts, keys_in_title ? ", " : " "));
 }
 
 const MeasureStatistics* find(const VariantStatistics& of, const std::string& measure) {
@@ -71,14 +88,15 @@ Panel panel_of(const std::vector<VariantStatistics>& statistics, const std::stri
 
 Plot campaign_figure(const Campaign& campaign, const std::vector<VariantStatistics>& statistics,
                      const std::vector<std::string>& measures) {
-  const bool keys_in_title = share_keys(campaign);
+  const std::vector<std::string> keys = telling_keys(campaign);
+  const bool keys_in_title = share(campaign, keys);
   std::vector<std::string> rows;
-  for (const CampaignVariant& variant : campaign.variants) rows.push_back(row_name(variant, keys_in_title));
+  for (const CampaignVariant& variant : campaign.variants)
+    rows.push_back(row_name(variant, keys, keys_in_title));
   constexpr std::size_t narrow = 24;  // characters that leave room for two panels beside each other
   const bool fit = std::ranges::all_of(rows, [&](const std::string& row) { return row.size() <= narrow; });
   Plot plot{"measures", campaign.scenario, fit ? 2 : 1, {}};
-  if (keys_in_title)
-    plot.title += fmt::format(", by {}", fmt::join(keys_of(campaign.variants.front()), ", "));
+  if (keys_in_title) plot.title += fmt::format(", by {}", fmt::join(keys, ", "));
   std::ranges::reverse(rows);
   for (const std::string& measure : measures) {
     Panel panel = panel_of(statistics, measure);

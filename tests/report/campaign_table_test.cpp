@@ -183,14 +183,20 @@ TEST(CampaignFigure, ShowsMeansWithTheirIntervals) {
 
 TEST(CampaignFigure, NamesRowsByWhatDiffers) {
   Campaign campaign = two_variants();
+  campaign.variants.push_back(campaign.variants[1]);
   campaign.variants[0].name = "small";
   campaign.variants[0].varied = {};
-  campaign.variants[1].varied = {{"map.max_landmarks", "800"}, {"decision.strategy", "\"lawn-mower\""}};
-  const Plot plot = campaign_figure(campaign, statistics_of(campaign), {"error_m"});
-  EXPECT_EQ(plot.title, "small");
-  EXPECT_EQ(plot.columns, 1);
-  EXPECT_EQ(plot.panels[0].y_names,
-            (std::vector<std::string>{"max_landmarks=800 strategy=lawn-mower", "small"}));
+  campaign.variants[1].varied = {{"decision.strategy", "\"lawn-mower\""}, {"map.max_landmarks", "800"}};
+  campaign.variants[2].varied = {{"decision.strategy", "\"random\""}, {"map.max_landmarks", "800"}};
+  const auto figure = [&] { return campaign_figure(campaign, statistics_of(campaign), {"error_m"}); };
+  EXPECT_EQ(figure().title, "small, by decision.strategy");
+  EXPECT_EQ(figure().panels[0].y_names, (std::vector<std::string>{"random", "lawn-mower", "small"}));
+  campaign.variants[2].varied = {{"map.max_landmarks", "400"}};
+  EXPECT_EQ(figure().title, "small");
+  EXPECT_EQ(figure().columns, 1);
+  EXPECT_EQ(
+      figure().panels[0].y_names,
+      (std::vector<std::string>{"max_landmarks=400", "strategy=lawn-mower max_landmarks=800", "small"}));
 }
 
 TEST(CampaignFigure, HasNoIntervalForASingleRun) {

@@ -21,22 +21,22 @@ std::string without_quotes(const std::string& value) {
 /// Without the section: `decision.strategy` as `strategy`.
 std::string last_part(const std::string& key) { return key.substr(key.find('.') + 1); }
 
-/// The settings that tell the variants apart: not those that all of them change to the same value. A variant that changes nothing,
+/// The settings in which the variants differ: not those that all of them change to the same value. A variant that changes nothing,
 /// the scenario as it is, does not count.
-std::vector<std::string> telling_keys(const Campaign& campaign) {
+std::vector<std::string> differing_keys(const Campaign& campaign) {
   std::map<std::string, std::vector<std::string>> values;
   std::size_t changed = 0;
   for (const CampaignVariant& variant : campaign.variants) {
     changed += !variant.varied.empty();
     for (const auto& [key, value] : variant.varied) values[key].push_back(value);
   }
-  std::vector<std::string> telling;
+  std::vector<std::string> differing;
   for (const auto& [key, of] : values) {
     const bool same =
         of.size() == changed && std::ranges::all_of(of, [&](const auto& v) { return v == of[0]; });
-    if (!same || values.size() == 1) telling.push_back(key);
+    if (!same || values.size() == 1) differing.push_back(key);
   }
-  return telling;
+  return differing;
 }
 
 /// Whether all variants that change something change all of `keys`, which then stand in the title and not in each row.
@@ -88,7 +88,7 @@ Panel panel_of(const std::vector<VariantStatistics>& statistics, const std::stri
 
 Plot campaign_figure(const Campaign& campaign, const std::vector<VariantStatistics>& statistics,
                      const std::vector<std::string>& measures) {
-  const std::vector<std::string> keys = telling_keys(campaign);
+  const std::vector<std::string> keys = differing_keys(campaign);
   const bool keys_in_title = share(campaign, keys);
   std::vector<std::string> rows;
   for (const CampaignVariant& variant : campaign.variants)

@@ -9,8 +9,8 @@
 
 namespace incognita {
 
-/// Means of `measures` with their 95 % intervals, `id` measures. The first variant is the uppermost row. Measures without a value in any
-/// variant are left out; an interval that is not finite is not drawn.
+/// Means of `measures`, in their units, with their 95 % intervals. The first variant is the uppermost row. A measure without a value in
+/// all variants is left out, and so is an interval that is not finite. `campaign` has a variant or more, `statistics` one entry for each.
 Plot campaign_figure(const Campaign& campaign, const std::vector<VariantStatistics>& statistics,
                      const std::vector<std::string>& measures);
 

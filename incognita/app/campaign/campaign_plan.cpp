@@ -42,42 +42,66 @@ std::int64_t seed_of_text(const std::string& text, const std::string& all) {
   return value;
 }
 
+/// Splits at a character outside brackets and quotes; the parts are trimmed. Throws InputError where those do not close.
+std::vector<std::string> parts_of(const std::string& text, char at) {
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  char quote = 0;
+  for (const char c : text) {
+    if (c == at && depth == 0 && !quote) {
+      parts.emplace_back();
+      continue;
+    }
+    if (quote)
+      quote = c == quote ? 0 : quote;
+    else if (c == '"' || c == '\'')
+      quote = c;
+    else
+      depth += (c == '[') - (c == ']');
+    parts.back() += c;
+    if (depth < 0) break;
+  }
+  if (depth != 0 || quote) throw InputError("brackets or quotes do not close");
+  for (std::string& part : parts) part = trimmed(part);
+  return parts;
+}
+
 /// Splits `key=value,value` of an option. `form`: how it must be written.
-Varied take_apart(const std::string& option, const std::string& text, std::string_view form, char at) {
+Varied take_apart(const std::string& option, const std::string& text, std::string_view form) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
     throw InputError(fmt::format("{} {}: must be written {}", option, text, form));
   try {
-    return {text.substr(0, equals), split_values(text.substr(equals + 1), at)};
+    return {text.substr(0, equals), split_values(text.substr(equals + 1))};
   } catch (const InputError& error) {
     throw InputError(fmt::format("{} {}: {}", option, text, error.what()));
   }
 }
 
-Varied values_of(const std::string& vary) {
-  return take_apart("--vary", vary, "section.name=value,value, e.g. --vary decision.step_m=0.2,0.3", ',');
-}
-
-/// One variant of --variant. Blanks separate its settings, so a value with blanks is written in quotes or brackets.
+/// The settings of one --variant. Blanks separate them, so a value with blanks is written in quotes or brackets.
 Assignments settings_of(const std::string& variant) {
-  constexpr std::string_view form =
-      "'section.name=value section.name=value', a value with blanks in quotes, e.g. --variant 'decision.step_m=0.2 decision.period_s=1'";
+  const auto refuse = [&](const std::string& problem) {
+    throw InputError(fmt::format(
+        "--variant {}: {}; it is written 'section.name=value section.name=value', a value with blanks in quotes, e.g. --variant 'decision.step_m=0.2 decision.period_s=1'",
+        variant, problem));
+  };
   std::vector<std::string> parts;
   try {
-    parts = split_values(trimmed(variant), ' ');
+    parts = parts_of(variant, ' ');
   } catch (const InputError& error) {
-    throw InputError(fmt::format("--variant {}: {}; must be written {}", variant, error.what(), form));
+    refuse(error.what());
   }
+  std::erase(parts, "");  // several blanks separate like one
+  if (parts.empty()) refuse("has no settings");
   Assignments settings;
-  std::set<std::string> keys;
   for (const std::string& part : parts) {
-    if (part.find('=') == std::string::npos || part.ends_with('='))
-      throw InputError(
-          fmt::format("--variant {}: `{}` has no value; must be written {}", variant, part, form));
-    const Varied one = take_apart("--variant", part, form, ' ');
-    if (!keys.insert(one.key).second)
-      throw InputError(fmt::format("--variant {}: sets {} twice; remove one of them", variant, one.key));
-    settings.emplace_back(one.key, one.values.front());
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == part.size())
+      refuse(fmt::format("`{}` is not a key and its value", part));
+    const std::string key = part.substr(0, equals);
+    if (std::ranges::find(settings, key, [](const auto& setting) { return setting.first; }) != settings.end())
+      refuse("sets " + key + " twice");
+    settings.emplace_back(key, part.substr(equals + 1));
   }
   return settings;
 }
@@ -85,8 +109,11 @@ Assignments settings_of(const std::string& variant) {
 std::string key_of(const std::string& set) { return set.substr(0, set.find('=')); }
 
 /// Refuses a key that is set in two ways, because one of them would be ignored.
-void refuse_two_masters(const CampaignRequest& request, const std::set<std::string>& keys,
+void refuse_two_masters(const CampaignRequest& request, const std::vector<Assignments>& variants,
                         const std::string& option) {
+  std::set<std::string> keys;
+  for (const Assignments& variant : variants)
+    for (const auto& [key, value] : variant) keys.insert(key);
   if (keys.contains("run.seed")) throw InputError(option + " run.seed: give the seeds with --seeds");
   if (keys.contains("run.duration_s") && request.duration_s)
     throw InputError(option + " run.duration_s and --duration set the same key; remove one of them");
@@ -128,27 +155,41 @@ void describe(Variant& variant, const LoadedScenario& loaded, const Assignments&
   if (assigned.empty()) variant.name = loaded.name;
 }
 
+std::vector<Varied> lists_of(const CampaignRequest& request) {
+  constexpr std::string_view form = "section.name=value,value, e.g. --vary decision.step_m=0.2,0.3";
+  std::vector<Varied> lists;
+  for (const std::string& vary : request.vary) {
+    Varied list = take_apart("--vary", vary, form);
+    if (std::ranges::find(lists, list.key, &Varied::key) != lists.end())
+      throw InputError(fmt::format("--vary {}: given twice; put all its values into one list", list.key));
+    lists.push_back(std::move(list));
+  }
+  return lists;
+}
+
 /// All combinations; the first list changes slowest.
-std::vector<Assignments> combinations(const std::vector<Varied>& lists, std::size_t count) {
-  std::vector<Assignments> all(count);
-  for (std::size_t v = 0; v < count; ++v) {
-    std::size_t left = v, block = count;
-    for (const Varied& list : lists) {
-      block /= list.values.size();
-      all[v].emplace_back(list.key, list.values[left / block]);
-      left %= block;
-    }
+std::vector<Assignments> combinations(const std::vector<Varied>& lists, std::size_t most) {
+  std::vector<Assignments> all(1);
+  for (const Varied& list : lists) {
+    if (all.size() * list.values.size() > most)
+      throw InputError(fmt::format("campaign: more than {} runs; fewer --seeds or --vary values", most_runs));
+    std::vector<Assignments> longer;
+    for (const Assignments& one : all)
+      for (const std::string& value : list.values) longer.emplace_back(one).emplace_back(list.key, value);
+    all = std::move(longer);
   }
   return all;
 }
 
 /// The scenario as it is, then each variant.
-std::vector<Assignments> with_the_scenario(const CampaignRequest& request) {
+std::vector<Assignments> with_the_scenario(const CampaignRequest& request, std::size_t most) {
   if (!request.vary.empty())
     throw InputError("--variant and --vary: a campaign has one of them; write the combinations as variants");
   if (!request.baseline.empty())
     throw InputError(
         "--baseline and --variant: variants are compared with the scenario as it is; remove --baseline");
+  if (1 + request.variants.size() > most)
+    throw InputError(fmt::format("campaign: more than {} runs; fewer --seeds or --variant", most_runs));
   std::vector<Assignments> all{{}};
   for (const std::string& variant : request.variants) all.push_back(settings_of(variant));
   return all;
@@ -171,7 +212,7 @@ std::size_t find_baseline(const CampaignRequest& request, const CampaignPlan& pl
                           const std::vector<Varied>& lists) {
   std::map<std::string, std::string> requested = plan.variants.front().varied;
   for (const std::string& assignment : request.baseline) {
-    const Varied named = take_apart("--baseline", assignment, "section.name=value", ',');
+    const Varied named = take_apart("--baseline", assignment, "section.name=value");
     const auto list =
         std::find_if(lists.begin(), lists.end(), [&](const Varied& l) { return l.key == named.key; });
     if (list == lists.end())
@@ -209,31 +250,10 @@ std::string digest_of(const CampaignPlan& plan) {
   return digest_of(text);
 }
 
-std::vector<std::string> split_values(const std::string& text, char at) {
-  std::vector<std::string> values(1);
-  int depth = 0;
-  char quote = 0;
-  for (const char c : text) {
-    if (c == at && depth == 0 && !quote) {
-      values.emplace_back();
-      continue;
-    }
-    if (quote)
-      quote = c == quote ? 0 : quote;
-    else if (c == '"' || c == '\'')
-      quote = c;
-    else
-      depth += (c == '[') - (c == ']');
-    values.back() += c;
-    if (depth < 0) break;
-  }
-  if (depth != 0 || quote) throw InputError("brackets or quotes do not close");
-  for (std::string& value : values) value = trimmed(value);
-  if (at == ' ') std::erase(values, "");  // several blanks separate like one
-  if (values.empty() || std::ranges::find(values, "") != values.end())
-    throw InputError(
-        at == ' ' ? "a value is missing"
-                  : "a value is missing; commas stand between values, except inside brackets and quotes");
+std::vector<std::string> split_values(const std::string& text) {
+  std::vector<std::string> values = parts_of(text, ',');
+  if (std::ranges::find(values, "") != values.end())
+    throw InputError("a value is missing; commas stand between values, except inside brackets and quotes");
   return values;
 }
 
@@ -271,32 +291,16 @@ LoadedScenario load_run(const CampaignPlan& plan, const Variant& variant, std::i
 
 CampaignPlan plan_campaign(const CampaignRequest& request) {
   const std::string option = request.variants.empty() ? "--vary" : "--variant";
-  std::vector<Varied> lists;
-  std::set<std::string> keys;
-  for (const std::string& vary : request.vary) {
-    lists.push_back(values_of(vary));
-    if (!keys.insert(lists.back().key).second)
-      throw InputError(
-          fmt::format("--vary {}: given twice; put all its values into one list", lists.back().key));
-  }
+  const std::vector<Varied> lists = lists_of(request);
   CampaignPlan plan;
   plan.scenario = request.scenario;
   plan.sets = request.sets;
   plan.seeds = parse_seeds(request.seeds);
-  std::size_t count = 1 + request.variants.size();
-  for (const Varied& list : lists) {
-    count *= list.values.size();
-    if (count * plan.seeds.size() > most_runs) break;
-  }
-  if (count * plan.seeds.size() > most_runs)
-    throw InputError(fmt::format("campaign: more than {} runs; fewer --seeds or {}", most_runs,
-                                 request.variants.empty() ? "--vary values" : "--variant"));
-  const std::vector<Assignments> assigned =
-      request.variants.empty() ? combinations(lists, count) : with_the_scenario(request);
-  for (const Assignments& variant : assigned)
-    for (const auto& [key, value] : variant) keys.insert(key);
-  refuse_two_masters(request, keys, option);
-  for (const Assignments& settings : assigned) {
+  const std::size_t most = most_runs / plan.seeds.size();
+  const std::vector<Assignments> all =
+      request.variants.empty() ? combinations(lists, most) : with_the_scenario(request, most);
+  refuse_two_masters(request, all, option);
+  for (const Assignments& settings : all) {
     Variant& variant = plan.variants.emplace_back();
     for (const auto& [key, value] : settings) variant.flags.push_back({key, value, option});
     if (request.duration_s) variant.flags.push_back({"run.duration_s", *request.duration_s, "--duration"});

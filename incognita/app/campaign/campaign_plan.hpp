@@ -60,9 +60,9 @@ std::string digest_of(const CampaignPlan& plan);
 /// Parses "1..3,7" as 1 2 3 7. Throws InputError unless given as increasing ranges of integers without duplicates.
 std::vector<std::int64_t> parse_seeds(const std::string& text);
 
-/// Splits at commas, or at another character, outside brackets and quotes: `[1, 2],[3, 4]` are two values. Throws InputError for
-/// an empty value and for unbalanced brackets or quotes.
-std::vector<std::string> split_values(const std::string& text, char at = ',');
+/// Splits at commas outside brackets and quotes: `[1, 2],[3, 4]` are two values. Throws InputError for an
+/// empty value and for unbalanced brackets or quotes.
+std::vector<std::string> split_values(const std::string& text);
 
 /// A digest of 16 hexadecimal digits.
 std::string digest_of(const std::string& text);

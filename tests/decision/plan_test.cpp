@@ -11,12 +11,11 @@
 #include "incognita/decision/plan/expected_surface.hpp"
 #include "incognita/decision/plan/planned_choice.hpp"
 #include "incognita/decision/plan/planner.hpp"
-#include "incognita/decision/plan/side_cells.hpp"
 #include "incognita/math/quaternion.hpp"
 #include "incognita/math/random.hpp"
-#include "incognita/math/saved_state/state_archive.hpp"
 #include "incognita/models/motion/heading.hpp"
 #include "incognita/models/sensors/wide_angle_camera.hpp"
+#include "tests/saved_state.hpp"
 
 namespace incognita {
 namespace {
@@ -255,13 +254,7 @@ TEST(Planner, GoesOnAfterItWasRestored) {
   Planner planner({}), restored({});
   planner.begin(comparison.now(), Planner::UnderWay{0, 0.5});
   planner.imagine(comparison.now(), 11);
-  StateWriter writer;
-  StateArchive to(writer);
-  planner.state(to);
-  StateReader reader(writer.bytes());
-  StateArchive from(reader);
-  restored.state(from);
-  EXPECT_EQ(reader.left(), 0u);
+  testing::restore(restored, planner);
   EXPECT_EQ(restored.choose(comparison.now()), planner.choose(comparison.now()));
   EXPECT_EQ(restored.scores(), planner.scores());
 }
@@ -386,13 +379,7 @@ void expect_to_go_on(Choice choice, Choice restored) {
   Scene scene(12);
   scene.unmapped = {{0, {1, 2, 1}}, {1, {2, -2, 2}}};
   EXPECT_EQ(chosen_in(choice, scene, 0, 18).size(), 2u) << "one decision a second";
-  StateWriter writer;
-  StateArchive to(writer);
-  choice.state(to);
-  StateReader reader(writer.bytes());
-  StateArchive from(reader);
-  restored.state(from);
-  EXPECT_EQ(reader.left(), 0u);
+  testing::restore(restored, choice);
   const std::vector<int> chosen = chosen_in(choice, scene, 18, 25);
   EXPECT_EQ(chosen.size(), 3u);
   EXPECT_EQ(chosen_in(restored, scene, 18, 25), chosen);
@@ -400,6 +387,13 @@ void expect_to_go_on(Choice choice, Choice restored) {
 
 TEST(PlannedCameraChoice, DecidesOncePerPeriodAndGoesOnWhenRestored) {
   const auto choice = [] { return PlannedCameraChoice(planned(), slow(), 0.3, 0.3); };
+  expect_to_go_on(choice(), choice());
+}
+
+TEST(PlannedCarrierChoice, DecidesOncePerPeriodAndGoesOnWhenRestored) {
+  const auto choice = [] {
+    return PlannedCarrierChoice(planned(), CarrierSettings{{}, 0.3, 0.3}, slow(), 0.3, 0.3);
+  };
   expect_to_go_on(choice(), choice());
 }
 
@@ -414,114 +408,6 @@ TEST(PlannedCameraChoice, ForgetsAComparisonThatHasBegun) {
   const std::vector<int> chosen = chosen_in(choice, scene, 8, 1);
   EXPECT_EQ(chosen.size(), 1u) << "decides at once";
   EXPECT_EQ(chosen, chosen_in(fresh, scene, 8, 1)) << "by what is unmapped now";
-}
-
-/// A box of 4 x 4 x 2 m.
-ExplorationSettings small_room() {
-  ExplorationSettings settings;
-  settings.min_m = {-2, -2, 0};
-  settings.max_m = {2, 2, 2};
-  return settings;
-}
-
-void add_landmark(Estimate& estimate, const Eigen::Vector3d& at) {
-  Landmark landmark{};
-  landmark.id = new_id(estimate);
-  landmark.block = estimate.belief.augment(PointLandmark::chart, at, {}, 1e-4 * Eigen::Matrix3d::Identity());
-  estimate.landmarks.emplace(landmark.id, landmark);
-}
-
-/// Near an edge of the room, landmarks of one side must not pass for those of the other.
-TEST(SideCells, AreCoveredByLandmarksOfTheirOwnSide) {
-  SideCells sides(small_room());
-  Scene scene(0);
-  add_landmark(scene.estimate, {2.01, 0.5, 0.2});  // on the wall, low
-  sides.compare(scene.estimate);
-  EXPECT_EQ(sides.expected().size(), 63u) << "the cell of the floor in front of it is not covered";
-}
-
-TEST(SideCells, ExpectOneLandmarkPerCellUntilOneIsMappedThere) {
-  SideCells sides(small_room());
-  Scene scene(0);
-  sides.compare(scene.estimate);
-  EXPECT_EQ(sides.expected().size(), 2u * 16 + 4 * 8);
-  add_landmark(scene.estimate, {2.1, 0.4, 0.6});
-  sides.compare(scene.estimate);
-  EXPECT_EQ(sides.expected().size(), 63u);
-  for (const ExpectedLandmark& expected : sides.expected())
-    EXPECT_FALSE(expected.position.isApprox(Eigen::Vector3d(2, 0.5, 0.5)));
-}
-
-TEST(SideCells, GiveUpWhatWasInViewForLongWithoutALandmark) {
-  SideCells sides(small_room());  // patience 3 s
-  const Scene scene(0);
-  const auto look = [&](double s) {
-    sides.see([](const Eigen::Vector3d& at) { return at.x() > 1.9; }, {0, 0, 1}, s);
-    sides.compare(scene.estimate);
-  };
-  look(3);
-  ASSERT_EQ(sides.expected().size(), 64u);
-  for (const ExpectedLandmark& expected : sides.expected())  // other sides there are seen along them
-    EXPECT_NEAR(expected.probability, expected.normal.x() == -1 ? std::exp(-1) : 1, 1e-9);
-  look(10);
-  EXPECT_EQ(sides.expected().size(), 64u - 8);
-}
-
-TEST(SideCells, ExpectTheOtherFacesOfAnObject) {
-  SideCells sides(small_room());
-  Scene scene(0);
-  const auto faces_in_the_room = [&](const Eigen::Vector3d& normal) {
-    return std::ranges::count_if(sides.expected(), [&](const ExpectedLandmark& e) {
-      return (e.position.head<2>().cwiseAbs().array() < 1.9).all() && e.position.z() > 0.1 &&
-             e.position.z() < 1.9 && e.normal == normal;
-    });
-  };
-  const Eigen::Vector3d back(1, 0, 0), front(-1, 0, 0);
-  add_landmark(scene.estimate,
-               {0.1, 0.3, 0.5});  // in the cell from (0, 0, 0) to (1, 1, 1), near its face at -x
-  sides.compare(scene.estimate);
-  EXPECT_EQ(faces_in_the_room(back), 0) << "one landmark alone may be wrong";
-  add_landmark(scene.estimate, {0.1, 0.6, 0.4});
-  sides.compare(scene.estimate);
-  EXPECT_EQ(faces_in_the_room(back), 1);
-  EXPECT_EQ(faces_in_the_room(front), 0) << "this one is mapped";
-}
-
-TEST(SideCells, AreSeenUnderThirtyDegreesOrMore) {
-  EXPECT_TRUE(sees_surface({0, 0, 1}, {1.7, 0, 0}, {0, 0, 1}));
-  EXPECT_FALSE(sees_surface({0, 0, 1}, {1.8, 0, 0}, {0, 0, 1}));
-  EXPECT_FALSE(sees_surface({0, 0, -1}, {0, 0, 0}, {0, 0, 1})) << "from behind";
-  EXPECT_TRUE(sees_surface({0, 0, 1}, {9, 0, 0}, {0, 0, 0})) << "on no surface";
-}
-
-TEST(SideCells, AreRestoredWithWhatWasSeen) {
-  SideCells sides(small_room()), restored(small_room());
-  Scene scene(0);
-  add_landmark(scene.estimate, {0.1, 0.3, 0.5});
-  add_landmark(scene.estimate, {0.1, 0.6, 0.4});
-  sides.compare(scene.estimate);
-  sides.see([](const Eigen::Vector3d&) { return true; }, {1.9, 0.5, 0.5}, 1);
-  sides.compare(scene.estimate);
-  StateWriter writer;
-  StateArchive to(writer);
-  sides.state(to);
-  StateReader reader(writer.bytes());
-  StateArchive from(reader);
-  restored.state(from);
-  restored.compare(scene.estimate);
-  ASSERT_EQ(restored.expected().size(), sides.expected().size());
-  bool less = false;
-  for (std::size_t i = 0; i < sides.expected().size(); ++i) {
-    EXPECT_EQ(restored.expected()[i].probability, sides.expected()[i].probability);
-    less |= sides.expected()[i].index >= 64 && sides.expected()[i].probability < 1;
-  }
-  EXPECT_TRUE(less) << "the face of the object was seen, or the test compares nothing";
-}
-
-TEST(SideCells, RefuseTooManyCells) {
-  ExplorationSettings settings = small_room();
-  settings.side_cell_m = 0.001;
-  EXPECT_THROW(SideCells{settings}, std::invalid_argument);
 }
 
 }  // namespace

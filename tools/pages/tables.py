@@ -7,6 +7,7 @@ import statistics
 import tomllib
 from functools import partial
 
+from pages.comparison import until_mapped
 from pages.results import Results, percent
 
 
@@ -176,16 +177,6 @@ def path_rows(results: Results, run: str) -> str:
     return "\n".join(rows)
 
 
-def until_mapped(results: Results, campaign: str, variant: str) -> str:
-    """Median time until 90 % of the surface was mapped, where a run that did not get there or failed counts as longer than all
-    others; and in how many rooms it did."""
-    runs = [row for row in results.rows(f"{campaign}/runs.csv") if row["variant"] == variant]
-    times = [float(row["exploration.t_90_mapped_s"] or "nan") if row["status"] == "done" else math.nan for row in runs]
-    known = [math.inf if math.isnan(t) else t for t in times]
-    median = statistics.median(known)
-    return f"{'-' if math.isinf(median) else f'{median:.0f}'} | {sum(map(math.isfinite, known))} of {len(runs)}"
-
-
 def number(results: Results, value: float | None, scale: float = 1, digits: int = 1) -> str:
     """A measure of campaign.json; `-` without a value."""
     return "-" if value is None else f"{scale * value:.{digits}f}"
@@ -203,14 +194,15 @@ def minus_the_baseline(results: Results, variant: dict, measure: str, scale: flo
 def compared_rows(results: Results, campaign: str) -> str:
     """A campaign of tools/compare-strategies, a row per variant: share mapped after 60 s, and minus that of the baseline; median time
     until 90 %, and in how many rooms; errors of map and path, medians, and minus those of the baseline; diverged or failed."""
-    rows = []
+    rows, until = [], until_mapped(results.rows(f"{campaign}/runs.csv"))
     for variant in results.document(f"{campaign}/campaign.json")["variants"]:
+        median_s, reached, runs = until[variant["name"]]
         of = variant["measures"]
         name = variant["name"].removeprefix("decision.strategy=").split(" ")[0]
         diverged = round((of["exploration.diverged"]["mean"] or 0) * of["exploration.diverged"]["n"]) + variant["failed"]
         cells = [f"`{name}`", number(results, of["exploration.mapped_60_s"]["mean"], 100),
                  minus_the_baseline(results, variant, "exploration.mapped_60_s", 100),
-                 until_mapped(results, campaign, variant["name"])]
+                 "-" if math.isinf(median_s) else f"{median_s:.0f}", f"{reached} of {runs}"]
         for error in ("map_error_m", "ate_m"):
             cells += [number(results, of[error]["median"], 100), minus_the_baseline(results, variant, error, 100)]
         rows.append("| " + " | ".join(cells) + f" | {diverged} |")

@@ -5,11 +5,12 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from math import nan
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
-from pages import tables  # noqa: E402
+from pages import comparison, tables  # noqa: E402
 from pages.results import Results  # noqa: E402
 
 MEASURES = {"exploration.mapped_60_s": (0.9, 0.85), "exploration.t_90_mapped_s": (50, 55), "map_error_m": (0.02, 0.03),
@@ -105,6 +106,54 @@ class Comparison(unittest.TestCase):
         self.assertEqual(rows[0], "| `map-room` | 90.0 | - | 43 | 5 of 5 | 2.0 | - | 1.0 | - | 0 |")
         self.assertIn("| `lawn-mower` | 85.0 | -5.0 (-6.0 to -4.0) | 43 | 3 of 5 | 3.0 |", rows[1])
         self.assertEqual(rows[2], "| `none` | - | - | - | 0 of 5 | - | - | - | - | 5 |")
+
+
+def runs(variant: str, share: float, until: list[float], map_error: float, diverged: int = 0) -> list[dict]:
+    """Rows of runs.csv: one run per time in `until`, of which the first `diverged` diverged."""
+    return [{"variant": variant, "seed": str(seed), "status": "done", "exploration.mapped_60_s": str(share),
+             "exploration.t_90_mapped_s": str(time), "map_error_m": str(map_error * (1 + 0.01 * seed)), "ate_m": "0.01",
+             "exploration.diverged": str(int(seed < diverged))} for seed, time in enumerate(until)]
+
+
+class Judged(unittest.TestCase):
+    """The rules of tools/compare-strategies."""
+
+    def judged(self, ours: list[dict], *others: list[dict], low: float = -0.06, high: float = -0.04) -> dict:
+        difference = {"difference": (low + high) / 2, "low": low, "high": high}
+        rows = [*ours, *(row for other in others for row in other)]
+        differences = {row["variant"]: difference for other in others for row in other}
+        return {j.goal.split(" ")[0]: j for j in comparison.judge(rows, "plan", differences, 2)}
+
+    def test_meets_all(self):
+        found = self.judged(runs("plan", 0.9, [25] * 9, 0.02), runs("sweep", 0.8, [50] * 9, 0.02), runs("none", 0.3, [nan] * 9, 0.1))
+        self.assertEqual([j.met for j in found.values()], ["yes"] * 5)
+        self.assertEqual(found["more"].against, "sweep")
+        self.assertEqual(found["more"].measured, "+5.0 % (+4.0 to +6.0)")
+        self.assertEqual(found["90"].measured, "25 s, in 9 of 9 rooms; against 50 s, in 9 of 9")
+
+    def test_meets_none(self):
+        found = self.judged(runs("plan", 0.7, [40] * 9, 0.04, diverged=1), runs("sweep", 0.8, [50] * 9, 0.02), low=0.01, high=0.02)
+        self.assertEqual({goal: j.met for goal, j in found.items()}, {"more": "no", "90": "no", "map": "no", "path": "yes", "lost": "no"})
+        self.assertEqual(found["map"].measured, "ratio 2.00 (2.00 to 2.00)")
+
+    def test_an_interval_on_both_sides_is_undecided(self):
+        self.assertEqual(self.judged(runs("plan", 0.9, [25], 0.02), runs("sweep", 0.8, [50], 0.02), low=-0.1, high=0.1)["more"].met,
+                         "undecided")
+        errors = runs("plan", 0.9, [25] * 8, 0.02)
+        for row in errors[:4]:
+            row["map_error_m"] = "0.04"
+        self.assertEqual(self.judged(errors, runs("sweep", 0.8, [50] * 8, 0.02))["map"].met, "undecided")
+
+    def test_a_time_that_the_others_do_not_reach(self):
+        for until, met in ((29, "yes"), (40, "undecided"), (nan, "no")):
+            self.assertEqual(self.judged(runs("plan", 0.9, [until] * 3, 0.02), runs("sweep", 0.8, [nan] * 3, 0.02))["90"].met, met)
+
+    def test_a_failed_run_is_lost_and_its_room_has_no_error(self):
+        ours = runs("plan", 0.9, [25] * 9, 0.02)
+        ours[0] = {**dict.fromkeys(ours[0], ""), "variant": "plan", "seed": "0", "status": "failed"}
+        found = self.judged(ours, runs("sweep", 0.8, [50] * 9, 0.02))
+        self.assertEqual((found["lost"].measured, found["lost"].met), ("1 of 9", "no"))
+        self.assertEqual(found["map"].met, "yes")
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import statistics
 import tomllib
 from functools import partial
 
-from pages.comparison import until_mapped
+from pages.comparison import MAPPED, judge, until_mapped
 from pages.results import Results, percent
 
 
@@ -198,15 +198,31 @@ def compared_rows(results: Results, campaign: str) -> str:
     for variant in results.document(f"{campaign}/campaign.json")["variants"]:
         median_s, reached, runs = until[variant["name"]]
         of = variant["measures"]
-        name = variant["name"].removeprefix("decision.strategy=").split(" ")[0]
         diverged = round((of["exploration.diverged"]["mean"] or 0) * of["exploration.diverged"]["n"]) + variant["failed"]
-        cells = [f"`{name}`", number(results, of["exploration.mapped_60_s"]["mean"], 100),
+        cells = [code_name(variant["name"]), number(results, of["exploration.mapped_60_s"]["mean"], 100),
                  minus_the_baseline(results, variant, "exploration.mapped_60_s", 100),
                  "-" if math.isinf(median_s) else f"{median_s:.0f}", f"{reached} of {runs}"]
         for error in ("map_error_m", "ate_m"):
             cells += [number(results, of[error]["median"], 100), minus_the_baseline(results, variant, error, 100)]
         rows.append("| " + " | ".join(cells) + f" | {diverged} |")
     return "\n".join(rows)
+
+
+def short_name(variant: str) -> str:
+    """`lawn-mower` of `decision.strategy=lawn-mower decision.max_elevation_rad=0.8`."""
+    return variant.removeprefix("decision.strategy=").split(" ")[0]
+
+
+def judged_rows(results: Results, campaign: str, allowed_lost: int) -> str:
+    """Such a campaign by the rules of tools/compare-strategies: goal, best other strategy, measured, met."""
+    document = results.document(f"{campaign}/campaign.json")
+    differences = {v["name"]: v["measures"][MAPPED]["versus_baseline"] for v in document["variants"] if v["name"] != document["baseline"]}
+    judged = judge(results.rows(f"{campaign}/runs.csv"), document["baseline"], differences, allowed_lost)
+    return "\n".join(f"| {j.goal} | {code_name(j.against)} | {j.measured} | {j.met} |" for j in judged)
+
+
+def code_name(variant: str) -> str:
+    return f"`{short_name(variant)}`" if variant else "-"
 
 
 def stages(results: Results, folder: str, *names: str) -> str:

@@ -19,10 +19,11 @@ constexpr Headline all_headlines[] = {
     {"abstract-diagonalisation",
      "Decorrelating the map alone needs no anchor; decorrelating the vehicle from the map does."},
     {"text-2.2.3-stationary",
-     "An EKF that stands still learns its heading from nothing; with Jacobians at the first estimates it does not."},
+     "An EKF that stands still becomes overconfident in its heading, of which no measurement tells it; with Jacobians at the first "
+     "estimates it does not."},
     {"3.4-one-anchor",
-     "One anchor does not make a planar vehicle observable, although the method of the thesis says so: everything can turn "
-     "about it."},
+     "One anchor does not make a planar vehicle observable, although the method of the thesis says so: vehicle and map "
+     "can rotate about it."},
     {"4.6-rank",
      "The heading is never observable from bearings: freezing the measurement within a segment counts one rank too many "
      "(2, 4, 5 in place of 2, 3, 4)."},
@@ -32,10 +33,11 @@ constexpr Headline all_headlines[] = {
      "Control is affected by the estimation: steered by its estimate the vehicle ends farther from its goal than steered by "
      "the truth."},
     {"3.2-unscented",
-     "The unscented transformation of the vehicle states reduces the errors of EKF SLAM, as the thesis says."},
+     "The unscented transformation of the vehicle states reduces the errors of path and map of EKF SLAM after a rigid "
+     "fit, as the thesis says."},
     {"6.3-images-i-entropy",
-     "On images moving by information gain, as printed, leaves more entropy than moving at random; counting only what would be "
-     "mapped it leaves less."},
+     "On images a free camera that moves by information gain, as printed, ends with more entropy than one that moves at random; "
+     "with less, if only landmarks that would be mapped are counted."},
     {"6.4.3-backwards",
      "A vehicle that drives by information gain explores backward, as the thesis observed."}};
 

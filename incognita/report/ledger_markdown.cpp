@@ -35,6 +35,23 @@ std::string in_words(Finding finding) {
   return words;
 }
 
+/// What Claim::why is for a finding.
+const char* reason(Finding finding) {
+  switch (finding) {
+    case Finding::holds:
+      return "Remark";
+    case Finding::misprint:
+      return "Right form";
+    case Finding::holds_if:
+      return "Condition";
+    case Finding::does_not_hold:
+      return "In truth";
+    case Finding::undecided:
+      return "Why undecided";
+  }
+  return "Why";
+}
+
 /// The heading's anchor as GitHub makes it: lower case, without punctuation.
 std::string anchor(const std::string& heading) {
   std::string made;
@@ -175,7 +192,8 @@ std::string block(const Claim& claim) {
   text += claim.source ? quoted(claim) : fmt::format("Ours, beside {}.\n\n", plain(claim.place));
   text += fmt::format("{}\n\n- Finding: {}\n", plain(claim.statement), found(claim));
   text += item("Number", claim.number ? number_text(*claim.number) : "");
-  text += item("Printed", claim.printed) + item("Measured", claim.measured) + item("Why", claim.why);
+  text += item("Printed", claim.printed) + item("Measured", claim.measured) +
+          item(reason(claim.finding), claim.why);
   return text +
          fmt::format("- Rule: {}; {} {}\n", name(claim.rule), claim.runs, claim.runs == 1 ? "run" : "runs");
 }

@@ -165,7 +165,7 @@ TEST(LedgerPage, HasABlockForEachClaim) {
              "steady \\| state\n\n"
              "- Finding: **misprint**; by the method of the thesis: does not hold\n"
              "- Number: variance: 0.25 m^2 (0.2 to 0.3)\n"
-             "- Printed: s_v^2 \\* 2\n- Measured: 0.25 \\< 1\n- Why: after one step\n"
+             "- Printed: s_v^2 \\* 2\n- Measured: 0.25 \\< 1\n- Right form: after one step\n"
              "- Rule: equality; 200 runs\n");
   EXPECT_HAS(page, "Ours, beside (3.12).\n\nit grows\n");
   EXPECT_HAS(page, "\n## 3.2: Car park\n\nSkipped: the recording is not there: docs/data.md\n");

@@ -82,9 +82,9 @@ bool ActionChoice::choose(const AnyBelief& belief, BlockId vehicle, const BlockV
   return true;
 }
 
-std::optional<double> ActionChoice::gaze_rad(const BlockVector& state, const ActionSet& action_set,
-                                             const Tick& tick, const Surroundings& surroundings) {
-  return rule_ ? rule_->gaze_rad({state, action_set, surroundings, tick.t}) : std::nullopt;
+std::optional<GazeDirection> ActionChoice::gaze(const BlockVector& state, const ActionSet& action_set,
+                                                const Tick& tick, const Surroundings& surroundings) {
+  return rule_ ? rule_->gaze({state, action_set, surroundings, tick.t}) : std::nullopt;
 }
 
 /// Scores are also computed for the strategies that do not use them, since they are recorded; for `none` at decisions only.

@@ -29,9 +29,9 @@ class ActionChoice {
   /// Scores the actions; compares them once per period. Returns true if an action was chosen in this tick.
   bool choose(const AnyBelief& belief, BlockId vehicle, const BlockVector& state, const ActionSet& action_set,
               const Expectation& expectation, const Tick& tick, const Surroundings& surroundings = {});
-  /// The heading that the strategy wants the camera to turn to in this tick, rad; none if it does not choose it.
-  std::optional<double> gaze_rad(const BlockVector& state, const ActionSet& action_set, const Tick& tick,
-                                 const Surroundings& surroundings);
+  /// Where the strategy wants the camera to look in this tick; none if it does not choose that.
+  std::optional<GazeDirection> gaze(const BlockVector& state, const ActionSet& action_set, const Tick& tick,
+                                    const Surroundings& surroundings);
 
   /// To be called when tracking is lost: the next tick compares all actions again.
   void forget();

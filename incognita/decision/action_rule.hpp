@@ -54,13 +54,17 @@ struct RuleInput {
   double t;  ///< s
 };
 
+struct GazeDirection {
+  double heading_rad = 0, elevation_rad = 0;
+};
+
 class ActionRule {
  public:
   virtual ~ActionRule() = default;
   /// The next action, once per period: one that is allowed.
   virtual int choose(const RuleInput& now, const std::vector<bool>& allowed) = 0;
-  /// Heading that the camera shall turn to, rad, asked in every tick; none: the gaze is that of the settings.
-  virtual std::optional<double> gaze_rad(const RuleInput&) { return std::nullopt; }
+  /// Where the camera shall look, asked in every tick; none: the gaze is that of the settings.
+  virtual std::optional<GazeDirection> gaze(const RuleInput&) { return std::nullopt; }
   /// To be called when tracking is lost: the action under way no longer counts.
   virtual void forget() = 0;
   /// Saves or restores: math/saved_state/.

@@ -62,12 +62,27 @@ Translations::Translations(std::vector<Translation> actions, double period_s, co
       bounds_(bounds),
       stay_(find_stay(actions_)) {}
 
+namespace {
+
+/// An elevation that turns back at the largest one.
+double nodded(double elevation_rad, double by_rad, double max_rad) {
+  const double to_rad = std::clamp(elevation_rad, -max_rad, max_rad) + by_rad;
+  return std::clamp(std::abs(to_rad) > max_rad ? std::copysign(2 * max_rad, to_rad) - to_rad : to_rad,
+                    -max_rad, max_rad);
+}
+
+}  // namespace
+
 ActionOutcome Translations::after(const BlockVector& state, int action) const {
   ActionOutcome out{state, growth_.A, growth_.N};
   const Eigen::Vector4d gaze = state.segment<4>(3);
   const Eigen::AngleAxisd heading(heading_of(gaze), Eigen::Vector3d::UnitZ());
   out.state.head<3>() += heading * actions_[static_cast<std::size_t>(action)].displacement_m;
-  out.state.segment<4>(3) = turned_left(gaze, gaze_rate_rad_s_ * period_s_);
+  const double left_rad = gaze_rate_rad_s_ * period_s_, up_rad = elevation_rate_rad_s_ * period_s_;
+  out.state.segment<4>(3) =
+      max_elevation_rad_ > 0
+          ? gaze_at(heading_of(gaze) + left_rad, nodded(elevation_of(gaze), up_rad, max_elevation_rad_))
+          : turned_left(gaze, left_rad);
   out.state.tail<6>().setZero();
   if (action != stay_) out.outside_m = bounds_.outside_m(out.state.head<3>());
   return out;

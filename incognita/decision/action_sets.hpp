@@ -66,7 +66,12 @@ class Translations final : public ActionSet {
   int stay() const override { return stay_; }
   ActionOutcome after(const BlockVector& state, int action) const override;
 
-  void turn_at(double rad_s) { gaze_rate_rad_s_ = rad_s; }
+  /// How the gaze turns meanwhile: to the left, and up until `max_elevation_rad`, where it turns back; 0: it stays level.
+  void turn_at(double left_rad_s, double up_rad_s = 0, double max_elevation_rad = 0) {
+    gaze_rate_rad_s_ = left_rad_s;
+    elevation_rate_rad_s_ = up_rad_s;
+    max_elevation_rad_ = max_elevation_rad;
+  }
   const std::vector<Translation>& actions() const { return actions_; }
 
  private:
@@ -75,7 +80,7 @@ class Translations final : public ActionSet {
   Growth growth_;
   WorldBounds bounds_;
   int stay_;
-  double gaze_rate_rad_s_ = 0;
+  double gaze_rate_rad_s_ = 0, elevation_rate_rad_s_ = 0, max_elevation_rad_ = 0;
 };
 
 /// Turns of a free camera's gaze about the vertical: right, left, stay (thesis 6.3.1), at `rate_rad_s` for

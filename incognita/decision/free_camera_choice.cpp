@@ -62,45 +62,54 @@ void FreeCameraChoice::nod(double dt) {
   elevation_rate_rad_s_ = -std::copysign(settings_.gaze_rate_rad_s, elevation_rad_);
 }
 
-/// Integrates the heading at the current rate; the rate is chosen anew every gaze period, or in every tick towards a wanted
-/// heading.
-void FreeCameraChoice::turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
-                            const Expectation& expectation, std::optional<double> wanted_rad,
-                            const Tick& tick) {
-  const bool first = !looking_;
-  if (first) {
-    heading_rad_ = heading_of(free_camera::orientation(camera));
-    elevation_rad_ = settings_.max_elevation_rad > 0 ? elevation_of(free_camera::orientation(camera)) : 0;
-    heading_rate_rad_s_ = settings_.gaze == Gaze::constant_rate ? settings_.gaze_rate_rad_s : 0;
-    looking_ = true;
-  } else {
-    heading_rad_ += heading_rate_rad_s_ * tick.dt;
-  }
-  if (wanted_rad) {
-    const double at_once_s = std::max(tick.dt, settings_.gaze_period_s);
-    heading_rate_rad_s_ = std::clamp(wrap_angle(*wanted_rad - heading_rad_) / at_once_s,
-                                     -settings_.gaze_rate_rad_s, settings_.gaze_rate_rad_s);
-    return;
-  }
-  if (!compares_turns(settings_.gaze) || (!first && !has_come(gaze_t_ + settings_.gaze_period_s, tick.t)))
-    return;
-  gaze_t_ = tick.t;
+/// Turns to a direction as fast as the gaze may, and then follows it.
+void FreeCameraChoice::look_at(const GazeDirection& wanted, double dt) {
+  const double at_once_s = std::max(dt, settings_.gaze_period_s), most = settings_.gaze_rate_rad_s;
+  heading_rate_rad_s_ = std::clamp(wrap_angle(wanted.heading_rad - heading_rad_) / at_once_s, -most, most);
+  if (settings_.max_elevation_rad == 0) return;
+  elevation_rad_ = std::clamp(elevation_rad_ + elevation_rate_rad_s_ * dt, -settings_.max_elevation_rad,
+                              settings_.max_elevation_rad);
+  elevation_rate_rad_s_ = std::clamp((wanted.elevation_rad - elevation_rad_) / at_once_s, -most, most);
+}
+
+/// Chooses the rate of the heading anew every gaze period.
+void FreeCameraChoice::compare_turns(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
+                                     const Expectation& expectation, double t) {
+  gaze_t_ = t;
   const std::vector<double>& scores = gaze_.scores(belief, vehicle, camera, turns_, expectation);
   heading_rate_rad_s_ = turns_.rate_of(best_of(scores, gaze_.allowed(), turns_.stay()));
+}
+
+/// Returns whether it begins to look in this tick; else integrates the heading at the current rate.
+bool FreeCameraChoice::begin_to_look(const CameraState& camera, double dt) {
+  if (looking_) {
+    heading_rad_ += heading_rate_rad_s_ * dt;
+    return false;
+  }
+  heading_rad_ = heading_of(free_camera::orientation(camera));
+  elevation_rad_ = settings_.max_elevation_rad > 0 ? elevation_of(free_camera::orientation(camera)) : 0;
+  heading_rate_rad_s_ = settings_.gaze == Gaze::constant_rate ? settings_.gaze_rate_rad_s : 0;
+  return looking_ = true;
 }
 
 void FreeCameraChoice::choose(const AnyBelief& belief, const Body& body, const Expectation& expectation,
                               const Surroundings& surroundings, const Tick& tick, BodyGoal& goal) {
   const CameraState camera = belief.mean(body.block);
-  const std::optional<double> wanted_rad = choice_.gaze_rad(camera, translations_, tick, surroundings);
-  if (wanted_rad || settings_.gaze != Gaze::swing) {
-    turn(belief, body.block, camera, expectation, wanted_rad, tick);
+  const std::optional<GazeDirection> wanted = choice_.gaze(camera, translations_, tick, surroundings);
+  if (wanted || settings_.gaze != Gaze::swing) {
+    const bool begins = begin_to_look(camera, tick.dt);
+    if (wanted) {
+      look_at(*wanted, tick.dt);
+    } else {
+      if (compares_turns(settings_.gaze) && (begins || has_come(gaze_t_ + settings_.gaze_period_s, tick.t)))
+        compare_turns(belief, body.block, camera, expectation, tick.t);
+      nod(tick.dt);
+    }
     goal.heading_rad = heading_rad_;
     goal.heading_rate_rad_s = heading_rate_rad_s_;
-    nod(tick.dt);
     goal.elevation_rad = elevation_rad_;
     goal.elevation_rate_rad_s = elevation_rate_rad_s_;
-    translations_.turn_at(heading_rate_rad_s_);
+    translations_.turn_at(heading_rate_rad_s_, elevation_rate_rad_s_, settings_.max_elevation_rad);
   } else {
     goal.heading_rad.reset();  // an earlier strategy may have turned the gaze
     translations_.turn_at(0);

@@ -32,8 +32,10 @@ class FreeCameraChoice final : public BodyChoice {
 
  private:
   void nod(double dt);
-  void turn(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
-            const Expectation& expectation, std::optional<double> wanted_rad, const Tick& tick);
+  void look_at(const GazeDirection& wanted, double dt);
+  bool begin_to_look(const CameraState& camera, double dt);
+  void compare_turns(const AnyBelief& belief, BlockId vehicle, const CameraState& camera,
+                     const Expectation& expectation, double t);
 
   DecisionSettings settings_;
   Translations translations_;

@@ -34,6 +34,10 @@ double heading_in(const BlockVector& state) { return heading_of(Eigen::Vector4d(
 
 double bearing_of(const Eigen::Vector3d& way) { return std::atan2(way.y(), way.x()); }
 
+GazeDirection gaze_in(const BlockVector& state) {
+  return {heading_in(state), elevation_of(Eigen::Vector4d(state.segment<4>(3)))};
+}
+
 /// From the heading of a state to a direction, to the left.
 double turn_rad(const BlockVector& state, const Eigen::Vector3d& way) {
   return wrap_angle(bearing_of(way) - heading_in(state));
@@ -76,7 +80,10 @@ std::vector<int> frontier_cells(const ExplorationVolume& v) {
 }
 
 Frontier::Frontier(const DecisionSettings& s, const Mobility& mobility)
-    : bounds_{s.min_bound_m, s.max_bound_m}, period_s_(s.period_s), approach_(mobility) {
+    : bounds_{s.min_bound_m, s.max_bound_m},
+      period_s_(s.period_s),
+      max_elevation_rad_(mobility.drives ? 0 : s.max_elevation_rad),
+      approach_(mobility) {
   if (!mobility.has_gaze)
     throw std::invalid_argument(
         "decision.strategy: `frontier` needs a free camera or a vehicle that carries one; take another");
@@ -97,37 +104,53 @@ bool Frontier::drop_done(const RuleInput& now) {
   return true;
 }
 
-bool Frontier::would_see(const RuleInput& now, const Eigen::Vector3d& from, double turned_rad,
+/// In which the camera would have a cell in the middle of its image, as far as its gaze rises and falls.
+GazeDirection Frontier::direction_to(const Eigen::Vector3d& from, const Eigen::Vector3d& cell) const {
+  const Eigen::Vector3d way = cell - from;
+  const double elevation_rad = std::atan2(way.z(), way.head<2>().norm());
+  return {bearing_of(way), std::clamp(elevation_rad, -max_elevation_rad_, max_elevation_rad_)};
+}
+
+bool Frontier::would_see(const RuleInput& now, const Eigen::Vector3d& from, const GazeDirection& gaze,
                          const Eigen::Vector3d& cell) const {
   BlockVector state = now.state;
   const int axes = approach_.mobility().axes;
   state.head(axes) = from.head(axes);
-  state.segment<4>(3) = turned_left(state.segment<4>(3), turned_rad);
+  state.segment<4>(3) =
+      max_elevation_rad_ > 0
+          ? gaze_at(gaze.heading_rad, gaze.elevation_rad)
+          : turned_left(state.segment<4>(3), wrap_angle(gaze.heading_rad - heading_in(now.state)));
   return now.surroundings.in_view(state, cell);
 }
 
-/// The part of the turn towards a cell, that brings it to the middle of the image, after which it is in view. Called for
-/// viewpoints.
+/// The part of the turn towards a cell, that brings it to the middle of the image, after which it is in view; both axes turn at
+/// once. Called for viewpoints.
 double Frontier::turn_to_view_rad(const RuleInput& now, const Eigen::Vector3d& from,
                                   const Eigen::Vector3d& cell) const {
-  const double whole_rad = turn_rad(now.state, cell - from);
-  if (would_see(now, from, 0, cell)) return 0;
+  const GazeDirection now_at = gaze_in(now.state), to = direction_to(from, cell);
+  const double left_rad = wrap_angle(to.heading_rad - now_at.heading_rad);
+  const double up_rad = max_elevation_rad_ > 0 ? to.elevation_rad - now_at.elevation_rad : 0;
+  const auto sees_after = [&](double share) {
+    return would_see(now, from,
+                     {now_at.heading_rad + share * left_rad, now_at.elevation_rad + share * up_rad}, cell);
+  };
+  if (sees_after(0)) return 0;
   double too_little = 0, enough = 1;
   constexpr int halvings = 5;
   for (int i = 0; i < halvings; ++i) {
     const double middle = (too_little + enough) / 2;
-    (would_see(now, from, middle * whole_rad, cell) ? enough : too_little) = middle;
+    (sees_after(middle) ? enough : too_little) = middle;
   }
-  return enough * std::abs(whole_rad);
+  return enough * std::max(std::abs(left_rad), std::abs(up_rad));
 }
 
 /// Whether the first of a patch of cells and a share of them are in view when the body faces the first.
 bool Frontier::would_see_share(const RuleInput& now, const Eigen::Vector3d& from,
                                const std::vector<Eigen::Vector3d>& patch, double share) const {
-  const double turned = turn_rad(now.state, patch.front() - from);
-  if (!would_see(now, from, turned, patch.front())) return false;
+  const GazeDirection gaze = direction_to(from, patch.front());
+  if (!would_see(now, from, gaze, patch.front())) return false;
   const auto seen = std::ranges::count_if(
-      patch, [&](const Eigen::Vector3d& cell) { return would_see(now, from, turned, cell); });
+      patch, [&](const Eigen::Vector3d& cell) { return would_see(now, from, gaze, cell); });
   return static_cast<double>(seen) >= share * static_cast<double>(patch.size());
 }
 
@@ -194,10 +217,10 @@ void Frontier::select(const RuleInput& now) {
   if (!pursuit_) given_up_.clear();
 }
 
-std::optional<double> Frontier::gaze_rad(const RuleInput& now) {
-  if (drop_done(now) || (!pursuit_ && !faces_rad_)) select(now);
-  if (!pursuit_) return faces_rad_ = faces_rad_.value_or(heading_in(now.state));
-  return faces_rad_ = bearing_of(center_of(*now.surroundings.seen, pursuit_->cell) - now.state.head<3>());
+std::optional<GazeDirection> Frontier::gaze(const RuleInput& now) {
+  if (drop_done(now) || (!pursuit_ && !faces_)) select(now);
+  if (!pursuit_) return faces_ = faces_.value_or(gaze_in(now.state));
+  return faces_ = direction_to(now.state.head<3>(), center_of(*now.surroundings.seen, pursuit_->cell));
 }
 
 /// The actions lead to the viewpoint only nearly: what is still out of view there is looked for from another one.
@@ -205,7 +228,7 @@ void Frontier::correct_viewpoint(const RuleInput& now) {
   const Eigen::Vector3d cell = center_of(*now.surroundings.seen, pursuit_->cell);
   const Eigen::Vector3d here = position_in(now.state, approach_.mobility());
   const bool there = (pursuit_->viewpoint - here).norm() < reach_m(approach_.mobility());
-  if (!there || would_see(now, here, turn_rad(now.state, cell - here), cell)) return;
+  if (!there || would_see(now, here, direction_to(here, cell), cell)) return;
   pursuit_->viewpoint = viewpoint_of(now, {cell}, 1, std::numeric_limits<double>::infinity()).value_or(here);
 }
 
@@ -233,10 +256,12 @@ Approach::Cost Frontier::cost_of(const RuleInput& now) const {
 bool Frontier::is_in_vain(const RuleInput& now) const {
   if (!pursuit_ || approach_.mobility().drives) return false;
   const Eigen::Vector3d cell = center_of(*now.surroundings.seen, pursuit_->cell);
-  constexpr double faces_rad = 0.05;
-  const double turn = turn_rad(now.state, cell - now.state.head<3>());
-  return std::abs(turn) < faces_rad &&
-         !would_see(now, position_in(now.state, approach_.mobility()), turn, cell);
+  const Eigen::Vector3d camera = now.state.head<3>();
+  constexpr double nearly_rad = 0.05;
+  const GazeDirection at = gaze_in(now.state), to = direction_to(camera, cell);
+  const bool faces = std::abs(wrap_angle(to.heading_rad - at.heading_rad)) < nearly_rad &&
+                     (max_elevation_rad_ == 0 || std::abs(to.elevation_rad - at.elevation_rad) < nearly_rad);
+  return faces && !would_see(now, position_in(now.state, approach_.mobility()), to, cell);
 }
 
 int Frontier::choose(const RuleInput& now, const std::vector<bool>& allowed) {

@@ -20,7 +20,7 @@ class Frontier final : public ActionRule {
 
   int choose(const RuleInput& now, const std::vector<bool>& allowed) override;
   /// Towards the cell that is pursued.
-  std::optional<double> gaze_rad(const RuleInput& now) override;
+  std::optional<GazeDirection> gaze(const RuleInput& now) override;
   void forget() override { approach_.forget(); }
   void state(StateArchive& archive) override;
 
@@ -41,18 +41,19 @@ class Frontier final : public ActionRule {
                                               double share, double most_m) const;
   bool would_see_share(const RuleInput& now, const Eigen::Vector3d& from,
                        const std::vector<Eigen::Vector3d>& patch, double share) const;
-  bool would_see(const RuleInput& now, const Eigen::Vector3d& from, double turned_rad,
+  GazeDirection direction_to(const Eigen::Vector3d& from, const Eigen::Vector3d& cell) const;
+  bool would_see(const RuleInput& now, const Eigen::Vector3d& from, const GazeDirection& gaze,
                  const Eigen::Vector3d& cell) const;
   double turn_to_view_rad(const RuleInput& now, const Eigen::Vector3d& from,
                           const Eigen::Vector3d& cell) const;
   Approach::Cost cost_of(const RuleInput& now) const;
 
   WorldBounds bounds_;
-  double period_s_;
+  double period_s_, max_elevation_rad_;
   Approach approach_;
   std::optional<Pursuit> pursuit_;
-  std::vector<int> given_up_;        ///< cells
-  std::optional<double> faces_rad_;  ///< last wanted heading
+  std::vector<int> given_up_;           ///< cells
+  std::optional<GazeDirection> faces_;  ///< last wanted gaze
 };
 
 /// Centers of the unseen cells about a cell, its own first, m.

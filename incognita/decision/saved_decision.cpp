@@ -37,6 +37,12 @@ void serialize(Archive& archive, Approach::Leg& leg) {
 }
 
 template <AnyStateArchive Archive>
+void serialize(Archive& archive, GazeDirection& gaze) {
+  auto& [heading_rad, elevation_rad] = gaze;
+  archive(heading_rad, elevation_rad);
+}
+
+template <AnyStateArchive Archive>
 void serialize(Archive& archive, Frontier::Pursuit& pursuit) {
   auto& [cell, viewpoint, until_t] = pursuit;
   archive(cell, viewpoint, until_t);
@@ -60,8 +66,8 @@ void RouteRule::state(StateArchive& archive) {
 }
 
 void Frontier::state(StateArchive& archive) {
-  auto& [bounds, period_s, approach, pursuit, given_up, faces_rad] = *this;
-  archive(approach, pursuit, given_up, faces_rad);
+  auto& [bounds, period_s, max_elevation_rad, approach, pursuit, given_up, faces] = *this;
+  archive(approach, pursuit, given_up, faces);
   if (pursuit && pursuit->cell < 0) throw DamagedState("a frontier that is no cell");
 }
 

@@ -47,6 +47,20 @@ TEST(Translations, RotateAtTheGazeRate) {
   EXPECT_NEAR(heading_of(Eigen::Vector4d(moves.after(level_camera(1), 6).state.segment<4>(3))), 1.4, 1e-9);
 }
 
+TEST(Translations, RiseAndFallWithTheGazeBetweenItsLargestElevations) {
+  Translations moves(seven_translations(0.3), 1, growth_over(1, 0.3, 0.3), {});
+  moves.turn_at(0.2, 0.4, 0.5);
+  const auto after = [&](double elevation_rad) {
+    BlockVector state = CameraState::Zero();
+    state.segment<4>(3) = gaze_at(0.3, elevation_rad);
+    const Eigen::Vector4d gaze = moves.after(state, moves.stay()).state.segment<4>(3);
+    EXPECT_NEAR(heading_of(gaze), 0.5, 1e-9);
+    return elevation_of(gaze);
+  };
+  EXPECT_NEAR(after(0), 0.4, 1e-9);
+  EXPECT_NEAR(after(0.3), 0.3, 1e-9) << "up to 0.5 and back";
+}
+
 TEST(Translations, AreAllowedInsideTheBoundsAndStayingAlways) {
   const Translations moves(seven_translations(0.3), 1, growth_over(1, 0.3, 0.3), {{0, 0, 0}, {1.1, 9, 9}});
   EXPECT_FALSE(moves.after(level_camera(0), 0).allowed());

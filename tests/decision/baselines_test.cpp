@@ -46,10 +46,10 @@ ActiveSettings driving(Strategy strategy) {
   return s;
 }
 
-CameraState camera_at(const Eigen::Vector3d& position, double heading_rad) {
+CameraState camera_at(const Eigen::Vector3d& position, double heading_rad, double elevation_rad = 0) {
   CameraState x = CameraState::Zero();
   x.head<3>() = position;
-  x.segment<4>(3) = level_gaze(heading_rad);
+  x.segment<4>(3) = gaze_at(heading_rad, elevation_rad);
   return x;
 }
 
@@ -58,7 +58,7 @@ struct Explorer {
   EstimatorSettings estimator;
   std::unique_ptr<Decision> decision;
   Eigen::Vector3d position;
-  double heading_rad = 0, t = 0;
+  double heading_rad = 0, elevation_rad = 0, t = 0;
   Eigen::Vector2d wheels{0, 0};
   Goal goal;
   Points path;
@@ -76,8 +76,9 @@ struct Explorer {
   Estimate estimate() const {
     Estimate e;
     Body& body = e.bodies.emplace_back();
-    body.block = e.belief.add_vehicle(FreeCameraMotion::chart, camera_at(position, heading_rad),
-                                      1e-6 * FreeCameraMotion::Jacobian::Identity());
+    body.block =
+        e.belief.add_vehicle(FreeCameraMotion::chart, camera_at(position, heading_rad, elevation_rad),
+                             1e-6 * FreeCameraMotion::Jacobian::Identity());
     body.wheels = wheels;
     e.started = true;
     e.status.state = TrackingState::tracking;
@@ -99,6 +100,7 @@ struct Explorer {
       if (static_cast<int>(shown.size()) > late)
         to += dt / (own.end_t - own.start_t) * (shown.front().to - shown.front().from);
       if (own.heading_rad) heading_rad = *own.heading_rad + own.heading_rate_rad_s * dt;
+      elevation_rad = own.elevation_rad + own.elevation_rate_rad_s * dt;
     }
     if (!solid(to)) position = to;
     path.push_back(position);
@@ -305,6 +307,29 @@ TEST(Frontier, TurnsTheGazeWithinItsRateWhateverTheGazeOfTheSettings) {
     }
     EXPECT_TRUE(left || right);
   }
+}
+
+/// The ceiling above it and the floor below are out of view of a level camera.
+TEST(Frontier, RaisesAndLowersTheGazeWhereItMay) {
+  ActiveSettings s = settings_for(Strategy::frontier);
+  s.decision.min_bound_m = {1.5, -0.1, 1.2};
+  s.decision.max_bound_m = {1.7, 0.1, 1.4};
+  Explorer level(s);
+  s.decision.max_elevation_rad = 0.8;
+  Explorer free(s);
+  level.run(60);
+  double highest_rad = 0, lowest_rad = 0;
+  while (free.t < 60) {
+    const double before_rad = free.elevation_rad;
+    free.tick();
+    EXPECT_LE(std::abs(free.elevation_rad - before_rad), 0.2 * dt + 1e-9);
+    highest_rad = std::max(highest_rad, free.elevation_rad);
+    lowest_rad = std::min(lowest_rad, free.elevation_rad);
+  }
+  EXPECT_GT(*free.goal.coverage, *level.goal.coverage + 0.05);
+  EXPECT_GT(highest_rad, 0.3);
+  EXPECT_LT(lowest_rad, -0.3);
+  EXPECT_LE(std::max(highest_rad, -lowest_rad), 0.8 + 1e-9);
 }
 
 TEST(Frontier, StaysWhenEverythingIsSeen) {

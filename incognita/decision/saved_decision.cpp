@@ -134,8 +134,8 @@ void Planner::state(StateArchive& archive) {
 }
 
 void PlanAtPeriods::state(StateArchive& archive) {
-  auto& [settings, growth, planner, approach, scores, chosen, end_t] = *this;
-  archive(planner, approach, scores, chosen, end_t);
+  auto& [settings, growth, planner, approach, scores, chosen, end_t, to] = *this;
+  archive(planner, approach, scores, chosen, end_t, to);
 }
 
 void PlannedCameraChoice::state(StateArchive& archive) {
@@ -158,9 +158,10 @@ void ObjectFaces::state(StateArchive& archive) {
 void SideCells::state(StateArchive& archive) {
   std::vector<double> seen_s;
   for (const SideCell& cell : cells_) seen_s.push_back(cell.seen_s);
-  archive(seen_s, expected_);
+  archive(seen_s, covered_, expected_);
   objects_.state(archive);
-  if (seen_s.size() != cells_.size()) throw DamagedState("the cells of other walls");
+  if (seen_s.size() != cells_.size() || covered_.size() != cells_.size())
+    throw DamagedState("the cells of other walls");
   for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i].seen_s = seen_s[i];
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "incognita/decision/image_expectation.hpp"
@@ -257,6 +258,45 @@ TEST(Planner, GoesOnAfterItWasRestored) {
   testing::restore(restored, planner);
   EXPECT_EQ(restored.choose(comparison.now()), planner.choose(comparison.now()));
   EXPECT_EQ(restored.scores(), planner.scores());
+}
+
+TEST(Planner, BeginsWhereTheActionUnderWayIsToEnd) {
+  Scene scene(12);
+  const Comparison comparison{scene};
+  Scene there = scene;
+  there.camera.x() = 0.7;
+  const Comparison comparison_there{there};
+  Planner planner({.views_per_period = 1, .discount_s = 0}),
+      at_its_end({.views_per_period = 1, .discount_s = 0});
+  planner.begin(comparison.now(),
+                Planner::UnderWay{comparison.actions.stay(), 0.3, Eigen::Vector3d(0.7, 0, 1)});
+  at_its_end.begin(comparison_there.now(), std::nullopt);
+  planner.choose(comparison.now());
+  at_its_end.choose(comparison_there.now());
+  for (std::size_t i = 0; i < planner.scores().size(); ++i)
+    EXPECT_NEAR(planner.scores()[i], at_its_end.scores()[i], 1e-9);
+}
+
+TEST(Planner, AvoidsWhatBecameKnownAfterAnActionWasImagined) {
+  const Scene scene(12);
+  const Comparison comparison{scene};
+  const auto end_of = [&](int action) -> Eigen::Vector3d {
+    return comparison.actions.along(scene.camera, action, 1).head<3>();
+  };
+  Planner free({.min_matches = 0}), stopped({.min_matches = 0});
+  free.begin(comparison.now(), std::nullopt);
+  const Eigen::Vector3d best = end_of(free.choose(comparison.now()));
+  stopped.begin(comparison.now(), std::nullopt);
+  stopped.imagine(comparison.now(), comparison.actions.count());
+  Planner::Input now = comparison.now();
+  now.is_clear = [&](const BlockVector& state) { return (state.head<3>() - best).norm() > 0.1; };
+  EXPECT_GT((end_of(stopped.choose(now)) - best).norm(), 0.1);
+}
+
+TEST(PlanWorth, WithoutAFiniteScoreIsTheWorst) {
+  const PlanWorth bad{.score = std::numeric_limits<double>::quiet_NaN()}, good{.score = -5};
+  EXPECT_TRUE(is_better(good, bad));
+  EXPECT_FALSE(is_better(bad, good));
 }
 
 /// Without discount and pose, more views can only add to the score.

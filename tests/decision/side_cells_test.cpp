@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -46,6 +47,23 @@ TEST(SideCells, ExpectOneLandmarkPerCellUntilOneIsMappedThere) {
   EXPECT_EQ(sides.expected().size(), 63u);
   for (const ExpectedLandmark& expected : sides.expected())
     EXPECT_FALSE(expected.position.isApprox(Eigen::Vector3d(2, 0.5, 0.5)));
+}
+
+TEST(SideCells, ArePatientAgainWhereALandmarkWasLost) {
+  SideCells sides(small_room());
+  Estimate estimate;
+  add_landmark(estimate, {2.0, 0.4, 0.6});
+  sides.compare(estimate);
+  sides.see([](const Eigen::Vector3d&) { return true; }, {0, 0, 1}, 100);
+  estimate.landmarks.clear();
+  sides.compare(estimate);
+  const auto expects = [&](const Eigen::Vector3d& at) {
+    return std::ranges::any_of(sides.expected(), [&](const ExpectedLandmark& e) {
+      return e.position.isApprox(at) && e.probability == 1;
+    });
+  };
+  EXPECT_TRUE(expects({2, 0.5, 0.5}));
+  EXPECT_FALSE(expects({2, -0.5, 0.5})) << "this one was in view for long without a landmark";
 }
 
 TEST(SideCells, GiveUpWhatWasInViewForLongWithoutALandmark) {

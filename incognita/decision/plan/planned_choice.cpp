@@ -38,6 +38,7 @@ PlanAtPeriods::PlanAtPeriods(const DecisionSettings& s, const Mobility& mobility
 
 void PlanAtPeriods::forget() {
   chosen_ = -1;
+  to_.reset();
   planner_.forget();
   approach_.forget();
 }
@@ -51,7 +52,7 @@ void PlanAtPeriods::check_actions(std::size_t count) const {
 void PlanAtPeriods::prepare(const Planner::Input& now, const Tick& tick) {
   const double left_s = end_t_ - tick.t, prepare_s = std::min(settings_.prepare_s, settings_.period_s);
   if (left_s > prepare_s || settings_.horizon > 1) return;
-  if (!planner_.has_begun()) planner_.begin(now, Planner::UnderWay{now.actions.then(chosen_), left_s});
+  if (!planner_.has_begun()) planner_.begin(now, Planner::UnderWay{now.actions.then(chosen_), left_s, to_});
   const int ticks = std::max(1, static_cast<int>(std::lround(prepare_s / tick.dt)));
   planner_.imagine(now, (now.actions.count() + ticks - 1) / ticks);
 }
@@ -80,8 +81,9 @@ bool PlanAtPeriods::choose(const BlockVector& state, const ActionPaths& actions,
   chosen_ = planner_.choose(now);
   scores_ = planner_.scores();
   end_t_ = tick.t + settings_.period_s;
-  approach_.go({position_in(state, approach_.mobility()),
-                position_in(actions.along(state, chosen_, settings_.period_s), approach_.mobility())});
+  const BlockVector end = actions.along(state, chosen_, settings_.period_s);
+  approach_.go({position_in(state, approach_.mobility()), position_in(end, approach_.mobility())});
+  if (approach_.mobility().arrives) to_ = end.head<3>();
   return true;
 }
 

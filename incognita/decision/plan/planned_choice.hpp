@@ -1,6 +1,8 @@
 // The next action of a body by a plan over several actions: of a free camera with its gaze, or of the vehicle that carries it.
 #pragma once
 
+#include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,7 @@ class PlanAtPeriods {
   std::vector<double> scores_;
   int chosen_ = -1;
   double end_t_ = 0;
+  std::optional<Eigen::Vector3d> to_;  ///< where the chosen action is to end, if it is sure to arrive
 };
 
 /// Of a free camera. The gaze is held at the chosen rates until the next decision.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -47,8 +48,11 @@ int known_among(const std::vector<PredictedMeasurement>& measurements) {
 }  // namespace
 
 bool is_better(const PlanWorth& a, const PlanWorth& b) {
-  return std::tuple(a.outside_m, a.blocked, a.missing_matches, -a.score) <
-         std::tuple(b.outside_m, b.blocked, b.missing_matches, -b.score);
+  const auto cost = [](const PlanWorth& w) {
+    return std::isfinite(w.score) ? -w.score : std::numeric_limits<double>::infinity();
+  };
+  return std::tuple(a.outside_m, a.blocked, a.missing_matches, cost(a)) <
+         std::tuple(b.outside_m, b.blocked, b.missing_matches, cost(b));
 }
 
 /// Those that are in view most often after the actions, held for one period and for all. Of many actions only every n-th is tried:
@@ -104,7 +108,7 @@ void Planner::rate(Node& node) const {
                      settings_.pose_weight * node.map.entropy_of_pose(settings_.resolution);
   if (settings_.discount_s > 0)
     node.worth.score += information_to_go(node.state, unmapped_, map_, node.map, settings_.resolution,
-                                          settings_.reach, settings_.period_s, settings_.discount_s);
+                                          settings_.reach, node.t_s, settings_.discount_s);
 }
 
 Planner::Node Planner::after(const Input& now, const Node& from, int action, int periods) {
@@ -120,14 +124,16 @@ Planner::Node Planner::after(const Input& now, const Node& from, int action, int
     node.worth.outside_m = std::max(node.worth.outside_m, now.actions.outside_m(node.state));
     node.worth.blocked = node.worth.blocked || !now.is_clear(node.state);
   }
+  node.t_s += periods * settings_.period_s;
   rate(node);
   ++evaluations_;
   return node;
 }
 
 void Planner::begin(const Input& now, const std::optional<UnderWay>& under_way) {
-  const BlockVector start =
+  BlockVector start =
       under_way ? now.actions.along(now.state, under_way->action, under_way->left_s) : now.state;
+  if (under_way && under_way->to) start.head<3>() = *under_way->to;
   take_landmarks(now, start);
   unmapped_.assign(now.unmapped.begin(), now.unmapped.end());
   root_ = Node{0, now.state, ImaginedMap(map_)};
@@ -136,7 +142,8 @@ void Planner::begin(const Input& now, const std::optional<UnderWay>& under_way) 
     const auto views = static_cast<int>(std::lround(under_way->left_s / between_s));
     for (int v = 1; v <= views; ++v) {
       const BlockVector before = root_->state;
-      root_->state = now.actions.along(now.state, under_way->action, v * under_way->left_s / views);
+      root_->state =
+          v == views ? start : now.actions.along(now.state, under_way->action, v * under_way->left_s / views);
       view(now, before, *root_);
     }
     root_->state = start;
@@ -163,6 +170,10 @@ void Planner::imagine(const Input& now, int count) {
 
 int Planner::choose(const Input& now) {
   imagine(now, now.actions.count());
+  // What stops the body may have become known since an action was imagined
+  for (std::size_t i = 0; i < worths_.size(); ++i)
+    worths_[i].blocked =
+        !now.is_clear(now.actions.along(root_->state, static_cast<int>(i), settings_.period_s));
   scores_.clear();
   for (const PlanWorth& worth : worths_) scores_.push_back(worth.score);
   const int best = goes_deeper()

@@ -66,6 +66,8 @@ class Planner {
   struct UnderWay {
     int action = 0;
     double left_s = 0;
+    /// Where it is to end, world, m; none: as far from the present state as the action leads in that time.
+    std::optional<Eigen::Vector3d> to = std::nullopt;
   };
 
   /// Begins a comparison of plans that start where the action under way ends, or, without one, in the present state.
@@ -89,6 +91,7 @@ class Planner {
     int first = 0;
     BlockVector state;
     ImaginedMap map;
+    double t_s = 0;  ///< since the plan began
     PlanWorth worth = {};
   };
   bool goes_deeper() const { return settings_.held_periods.size() > 1; }

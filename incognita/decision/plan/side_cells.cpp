@@ -55,17 +55,22 @@ SideCells::SideCells(const ExplorationSettings& settings)
       max_m_(settings.max_m),
       patience_s_(settings.patience_s),
       cells_(cells_of(settings)),
+      covered_(cells_.size(), false),
       objects_(settings, static_cast<int>(cells_.size())) {}
 
 void SideCells::see(const std::function<bool(const Eigen::Vector3d&)>& in_view, const Eigen::Vector3d& camera,
                     double dt) {
-  for (SideCell& cell : cells_)
-    if (sees_surface(camera, cell.center, cell.normal) && in_view(cell.center)) cell.seen_s += dt;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    SideCell& cell = cells_[i];
+    if (!covered_[i] && sees_surface(camera, cell.center, cell.normal) && in_view(cell.center))
+      cell.seen_s += dt;
+  }
   objects_.see(in_view, camera, dt);
 }
 
-std::vector<bool> SideCells::covered_by(const Estimate& estimate) const {
-  std::vector<bool> covered(cells_.size(), false);
+/// By landmarks however well they are known: what is still uncertain about them is information about the map.
+void SideCells::cover(const Estimate& estimate) {
+  covered_.assign(cells_.size(), false);
   for (const auto& [id, landmark] : estimate.landmarks) {
     const auto position = position_of(landmark, estimate);
     if (landmark.fixed || !position || position->position.size() != 3) continue;
@@ -78,17 +83,16 @@ std::vector<bool> SideCells::covered_by(const Estimate& estimate) const {
       const Eigen::Vector3d off = at - cells_[i].center, normal = cells_[i].normal;
       const double away = off.dot(normal);
       const Eigen::Array3d along = (off - away * normal).array().abs();
-      covered[i] = covered[i] || (std::abs(away) <= within_m && (along <= cells_[i].half_m.array()).all());
+      covered_[i] = covered_[i] || (std::abs(away) <= within_m && (along <= cells_[i].half_m.array()).all());
     }
   }
-  return covered;
 }
 
 void SideCells::compare(const Estimate& estimate) {
-  const std::vector<bool> covered = covered_by(estimate);
+  cover(estimate);
   expected_.clear();
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const double probability = covered[i] ? 0 : still_there(cells_[i].seen_s, patience_s_);
+    const double probability = covered_[i] ? 0 : still_there(cells_[i].seen_s, patience_s_);
     if (probability > 0)
       expected_.push_back({static_cast<int>(i), cells_[i].center, cells_[i].normal, probability});
   }

@@ -37,11 +37,12 @@ class SideCells {
   void state(StateArchive& archive);
 
  private:
-  std::vector<bool> covered_by(const Estimate& estimate) const;
+  void cover(const Estimate& estimate);
 
   Eigen::Vector3d min_m_, max_m_;
   double patience_s_;
   std::vector<SideCell> cells_;
+  std::vector<bool> covered_;  ///< of each cell, by the map
   ObjectFaces objects_;
   std::vector<ExpectedLandmark> expected_;
 };

@@ -103,7 +103,7 @@ class Comparison(unittest.TestCase):
 
     def test_rows_of_the_page(self):
         rows = tables.compared_rows(Results(self.folder.parent, {}), self.folder.name).split("\n")
-        self.assertEqual(rows[0], "| `map-room` | 90.0 | - | 43 | 5 of 5 | 2.0 | - | 1.0 | - | 0 |")
+        self.assertEqual(rows[0], "| `plan` | 90.0 | - | 43 | 5 of 5 | 2.0 | - | 1.0 | - | 0 |")
         self.assertIn("| `lawn-mower` | 85.0 | -5.0 (-6.0 to -4.0) | 43 | 3 of 5 | 3.0 |", rows[1])
         self.assertEqual(rows[2], "| `none` | - | - | - | 0 of 5 | - | - | - | - | 5 |")
 
@@ -122,22 +122,22 @@ class Judged(unittest.TestCase):
         difference = {"difference": (low + high) / 2, "low": low, "high": high}
         rows = [*ours, *(row for other in others for row in other)]
         differences = {row["variant"]: difference for other in others for row in other}
-        return {j.goal.split(" ")[0]: j for j in comparison.judge(rows, "plan", differences, 2)}
+        return dict(zip(("share", "time", "map", "path", "lost"), comparison.judge(rows, "plan", differences, 2)))
 
     def test_meets_all(self):
         found = self.judged(runs("plan", 0.9, [25] * 9, 0.02), runs("sweep", 0.8, [50] * 9, 0.02), runs("none", 0.3, [nan] * 9, 0.1))
         self.assertEqual([j.met for j in found.values()], ["yes"] * 5)
-        self.assertEqual(found["more"].against, "sweep")
-        self.assertEqual(found["more"].measured, "+5.0 % (+4.0 to +6.0)")
-        self.assertEqual(found["90"].measured, "25 s, in 9 of 9 rooms; against 50 s, in 9 of 9")
+        self.assertEqual(found["share"].against, "sweep")
+        self.assertEqual(found["share"].measured, "+5.0 % (+4.0 to +6.0)")
+        self.assertEqual(found["time"].measured, "25 s, in 9 of 9 rooms; against 50 s, in 9 of 9")
 
     def test_meets_none(self):
         found = self.judged(runs("plan", 0.7, [40] * 9, 0.04, diverged=1), runs("sweep", 0.8, [50] * 9, 0.02), low=0.01, high=0.02)
-        self.assertEqual({goal: j.met for goal, j in found.items()}, {"more": "no", "90": "no", "map": "no", "path": "yes", "lost": "no"})
+        self.assertEqual({goal: j.met for goal, j in found.items()}, {"share": "no", "time": "no", "map": "no", "path": "yes", "lost": "no"})
         self.assertEqual(found["map"].measured, "ratio 2.00 (2.00 to 2.00)")
 
     def test_an_interval_on_both_sides_is_undecided(self):
-        self.assertEqual(self.judged(runs("plan", 0.9, [25], 0.02), runs("sweep", 0.8, [50], 0.02), low=-0.1, high=0.1)["more"].met,
+        self.assertEqual(self.judged(runs("plan", 0.9, [25], 0.02), runs("sweep", 0.8, [50], 0.02), low=-0.1, high=0.1)["share"].met,
                          "undecided")
         errors = runs("plan", 0.9, [25] * 8, 0.02)
         for row in errors[:4]:
@@ -146,7 +146,7 @@ class Judged(unittest.TestCase):
 
     def test_a_time_that_the_others_do_not_reach(self):
         for until, met in ((29, "yes"), (40, "undecided"), (nan, "no")):
-            self.assertEqual(self.judged(runs("plan", 0.9, [until] * 3, 0.02), runs("sweep", 0.8, [nan] * 3, 0.02))["90"].met, met)
+            self.assertEqual(self.judged(runs("plan", 0.9, [until] * 3, 0.02), runs("sweep", 0.8, [nan] * 3, 0.02))["time"].met, met)
 
     def test_a_failed_run_is_lost_and_its_room_has_no_error(self):
         ours = runs("plan", 0.9, [25] * 9, 0.02)

@@ -20,4 +20,6 @@ incognita_docs_test(docs_ledger_page tools/make-ledger-page --check docs/ledger)
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT INCOGNITA_SANITIZE)  # elsewhere it takes too long
   incognita_docs_test(docs_sample tools/make-docs --check --sample --build ${PROJECT_BINARY_DIR})
   set_tests_properties(docs_sample PROPERTIES PROCESSORS 2 LABELS "docs;sample")
+  incognita_docs_test(docs_published_comparison tests/docs/published_comparison_test.py)
+  set_tests_properties(docs_published_comparison PROPERTIES PROCESSORS 2 LABELS "docs;sample")
 endif()

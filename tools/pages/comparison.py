@@ -57,7 +57,7 @@ def judge_share(rows: list[dict], ours: str, differences: dict[str, dict]) -> Ju
     mapped = values_of(rows, MAPPED)
     most = max((v for v in mapped if v != ours), key=lambda v: statistics.fmean(mapped[v].values()))
     more, low, high = (-100 * differences[most][key] for key in ("difference", "high", "low"))
-    return Judged("more of the surface mapped after 60 s", most, f"{more:+.1f} % ({low:+.1f} to {high:+.1f})",
+    return Judged("map more of the surface in 60 s", most, f"{more:+.1f} % ({low:+.1f} to {high:+.1f})",
                   "yes" if low > 0 else "no" if high <= 0 else "undecided")
 
 
@@ -73,7 +73,7 @@ def judge_time(rows: list[dict], ours: str) -> Judged:
     measured = f"{said(time_s)}, in {reached} of {runs} rooms; against {said(other_s)}, in {others_reached} of {other_runs}"
     half = time_s <= (other_s if math.isfinite(other_s) else 60) / 2
     met = "yes" if half else "undecided" if math.isinf(other_s) and math.isfinite(time_s) else "no"
-    return Judged("90 % mapped in at most half the time (medians)", soonest, measured, met)
+    return Judged("map 90 % in at most half the time (medians)", soonest, measured, met)
 
 
 def judge_error(rows: list[dict], ours: str, measure: str, goal: str) -> Judged:
@@ -89,10 +89,10 @@ def judge_safety(rows: list[dict], ours: str, allowed: int) -> Judged:
     ended = [row for row in rows if row["variant"] == ours]
     lost = sum(row["status"] != "done" or float(row["exploration.diverged"] or 0) > 0 for row in ended)
     share = allowed / 100 * len(ended)
-    return Judged(f"lost or diverged in at most {allowed} of 100 rooms", "", f"{lost} of {len(ended)}", "yes" if lost <= share else "no")
+    return Judged(f"be lost or diverge in at most {allowed} of 100 rooms", "", f"{lost} of {len(ended)}", "yes" if lost <= share else "no")
 
 
 def judge(rows: list[dict], ours: str, differences: dict[str, dict], allowed_lost: int) -> list[Judged]:
     """A part of tools/compare-strategies by the rules that it states."""
     return [judge_share(rows, ours, differences), judge_time(rows, ours),
-            judge_error(rows, ours, MAP_ERROR, "map error no worse"), judge_error(rows, ours, PATH_ERROR, "path error no worse"), judge_safety(rows, ours, allowed_lost)]
+            judge_error(rows, ours, MAP_ERROR, "have no larger map error"), judge_error(rows, ours, PATH_ERROR, "have no larger path error"), judge_safety(rows, ours, allowed_lost)]

@@ -1,0 +1,40 @@
+"""tools/compare-strategies gives in one room what docs/comparison publishes, so that the published numbers are those of this program."""
+
+import csv
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+ROOM = "1001"
+# Between kinds of processors, whose rounding differs in the last bit: largest difference, and largest ratio
+SHARE_WITHIN, ERROR_WITHIN = 0.02, 1.2
+
+
+def rows_of(folder: Path) -> dict[str, dict]:
+    """By variant: the published columns of the room."""
+    with (folder / "runs.csv").open(newline="") as file:
+        return {row["variant"]: row for row in csv.DictReader(file) if row["seed"] == ROOM}
+
+
+class PublishedComparison(unittest.TestCase):
+    def test_one_room_again(self):
+        published = rows_of(ROOT / "docs/comparison/camera")
+        with tempfile.TemporaryDirectory() as scratch:
+            subprocess.run([ROOT / "tools/compare-strategies", "camera", "--rooms", ROOM, "--out", f"{scratch}/runs", "--publish",
+                            f"{scratch}/published"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            again = rows_of(Path(scratch) / "published/camera")
+        self.assertEqual(published.keys(), again.keys())
+        for variant, row in published.items():
+            told = f"{variant}: run `tools/compare-strategies PART --publish docs/comparison` anew for every part"
+            self.assertEqual(row["status"], again[variant]["status"], told)
+            shares = [float(of[variant]["exploration.mapped_60_s"]) for of in (published, again)]
+            self.assertAlmostEqual(*shares, delta=SHARE_WITHIN, msg=told)
+            for error in ("map_error_m", "ate_m"):
+                low, high = sorted(float(of[variant][error]) for of in (published, again))
+                self.assertLessEqual(high / low, ERROR_WITHIN, f"{told} ({error})")
+
+
+if __name__ == "__main__":
+    unittest.main()

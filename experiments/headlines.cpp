@@ -19,7 +19,7 @@ constexpr Headline all_headlines[] = {
     {"abstract-diagonalisation",
      "Decorrelating the map alone needs no anchor; decorrelating the vehicle from the map does."},
     {"text-2.2.3-stationary",
-     "An EKF that stands still becomes overconfident in its heading, of which no measurement tells it; with Jacobians at the first "
+     "An EKF that stands still becomes overconfident in its heading, which no measurement observes; with Jacobians at the first "
      "estimates it does not."},
     {"3.4-one-anchor",
      "One anchor does not make a planar vehicle observable, although the method of the thesis says so: vehicle and map "

@@ -31,13 +31,13 @@ class PublishedComparison(unittest.TestCase):
         for variant, row in published.items():
             if variant.startswith(NOT_COMPARED):
                 continue
-            told = f"{variant}: run `tools/compare-strategies PART --publish docs/comparison` anew for every part"
-            self.assertEqual(row["status"], again[variant]["status"], told)
+            remedy = f"{variant}: run `tools/compare-strategies PART --publish docs/comparison` anew for every part"
+            self.assertEqual(row["status"], again[variant]["status"], remedy)
             shares = [float(of[variant]["exploration.mapped_60_s"]) for of in (published, again)]
-            self.assertAlmostEqual(*shares, delta=SHARE_WITHIN, msg=told)
+            self.assertAlmostEqual(*shares, delta=SHARE_WITHIN, msg=remedy)
             for error in ("map_error_m", "ate_m"):
                 low, high = sorted(float(of[variant][error]) for of in (published, again))
-                self.assertLessEqual(high / low, ERROR_WITHIN, f"{told} ({error})")
+                self.assertLessEqual(high / low, ERROR_WITHIN, f"{remedy} ({error})")
 
 
 if __name__ == "__main__":

@@ -5,7 +5,8 @@ import random
 import statistics
 from dataclasses import dataclass
 
-UNTIL = "exploration.t_90_mapped_s"
+MAPPED, UNTIL, MAP_ERROR, PATH_ERROR = "exploration.mapped_60_s", "exploration.t_90_mapped_s", "map_error_m", "ate_m"
+RATIO_OF_ERRORS = 1.25  # up to that an error is no larger
 
 
 def until_mapped(rows: list[dict]) -> dict[str, tuple[float, int, int]]:
@@ -16,10 +17,6 @@ def until_mapped(rows: list[dict]) -> dict[str, tuple[float, int, int]]:
         value = float(row[UNTIL] or "nan") if row["status"] == "done" else math.nan
         times.setdefault(row["variant"], []).append(math.inf if math.isnan(value) else value)
     return {variant: (statistics.median(of), sum(map(math.isfinite, of)), len(of)) for variant, of in times.items()}
-
-
-MAPPED, MAP_ERROR, PATH_ERROR = "exploration.mapped_60_s", "map_error_m", "ate_m"
-RATIO_OF_ERRORS = 1.25  # up to that an error is no worse
 
 
 @dataclass(frozen=True)
@@ -89,10 +86,11 @@ def judge_safety(rows: list[dict], ours: str, allowed: int) -> Judged:
     ended = [row for row in rows if row["variant"] == ours]
     lost = sum(row["status"] != "done" or float(row["exploration.diverged"] or 0) > 0 for row in ended)
     share = allowed / 100 * len(ended)
-    return Judged(f"be lost or diverge in at most {allowed} of 100 rooms", "", f"{lost} of {len(ended)}", "yes" if lost <= share else "no")
+    return Judged(f"be lost or diverge in at most {allowed} of 100 rooms", "", f"{lost} of {len(ended)}",
+                  "yes" if lost <= share else "no")
 
 
 def judge(rows: list[dict], ours: str, differences: dict[str, dict], allowed_lost: int) -> list[Judged]:
     """A part of tools/compare-strategies by the rules that it states."""
-    return [judge_share(rows, ours, differences), judge_time(rows, ours),
-            judge_error(rows, ours, MAP_ERROR, "have no larger map error"), judge_error(rows, ours, PATH_ERROR, "have no larger path error"), judge_safety(rows, ours, allowed_lost)]
+    return [judge_share(rows, ours, differences), judge_time(rows, ours), judge_error(rows, ours, MAP_ERROR, "have no larger map error"),
+            judge_error(rows, ours, PATH_ERROR, "have no larger path error"), judge_safety(rows, ours, allowed_lost)]

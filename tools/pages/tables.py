@@ -136,8 +136,9 @@ def gain_sentence(results: Results, claim_id: str, ours: str, rival: str) -> str
     if float(high) >= 0:
         raise KeyError(f"docs/ledger/claims.json, {claim_id}: not less entropy than {rival}; the sentence says it is")
     return (f"With the twelve features of the thesis, over {compared(results, claim_id)[0]['runs']} rooms, mutual information leaves "
-            f"{gap.lstrip('-')} nats less entropy than random motion (95 % interval {high.lstrip('-')} to {low.lstrip('-')}), but its median position error is {error} m "
-            f"against {other_error} m, and the camera sees {seen} % of the room against {other_seen} %.")
+            f"{gap.lstrip('-')} nats less entropy than random motion (95 % interval {high.lstrip('-')} to {low.lstrip('-')}), "
+            f"but its median position error is {error} m against {other_error} m, and the camera sees {seen} % of the room "
+            f"against {other_seen} %.")
 
 
 def right_matches(results: Results, campaign: str, variant: str = "") -> float:
@@ -211,7 +212,8 @@ def compared_rows(results: Results, campaign: str) -> str:
 def judged_rows(results: Results, campaign: str, allowed_lost: int) -> str:
     """Such a campaign by the rules of tools/compare-strategies: goal, best other strategy, measured, met."""
     document = results.document(f"{campaign}/campaign.json")
-    differences = {v["name"]: v["measures"][MAPPED]["versus_baseline"] for v in document["variants"] if v["name"] != document["baseline"]}
+    differences = {v["name"]: v["measures"][MAPPED]["versus_baseline"] for v in document["variants"]
+                   if v["name"] != document["baseline"]}
     judged = judge(results.rows(f"{campaign}/runs.csv"), document["baseline"], differences, allowed_lost)
     return "\n".join(f"| {j.goal} | {code_name(j.against)} | {j.measured} | {j.met} |" for j in judged)
 
@@ -226,9 +228,8 @@ def compared_sentence(results: Results, campaign: str, other: str) -> str:
     def cm(error: str) -> str:
         return " against ".join(f"{100 * of[error]['median']:.1f}" for of in (plan, rival))
 
-    return (f"Over {len(document['seeds'])} rooms that were used to choose no setting, the plan has mapped {100 * plan[MAPPED]['mean']:.0f} % of "
-            f"the surface of the room to 5 cm after 60 s, a sweep in lanes {100 * rival[MAPPED]['mean']:.0f} %: a difference of {more} % (95 % "
-            f"interval {low} to {high}). Its median errors are {cm('ate_m')} cm of the path and {cm('map_error_m')} cm of the map.")
+    return (f"Over {len(document['seeds'])} rooms, the plan has mapped {100 * plan[MAPPED]['mean']:.0f} % of the surface of the room "
+            f"to 5 cm after 60 s, a sweep in lanes {100 * rival[MAPPED]['mean']:.0f} %: a difference of {more} % (95 % interval {low} to {high}). Its median errors are {cm('ate_m')} cm of the path and {cm('map_error_m')} cm of the map.")
 
 
 def code_name(variant: str) -> str:

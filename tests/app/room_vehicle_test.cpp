@@ -1,10 +1,10 @@
 // A vehicle with a camera on uneven ground in the rendered room, from its scenario to a run.
 #include <gtest/gtest.h>
 
-#include "incognita/analysis/evaluation/pose_consistency.hpp"
 #include "incognita/app/loop/assembly.hpp"
 #include "incognita/control/body_controller.hpp"
 #include "incognita/messages/errors.hpp"
+#include "tests/app/share_within_three_sigma.hpp"
 #include "tests/scratch.hpp"
 
 namespace incognita {
@@ -69,14 +69,7 @@ TEST(RoomVehicle, InvariantErrorsKeepItsMapConsistent) {
         "map-terrain", std::vector<std::string>{"run.seed=3", "run.duration_s=12",
                                                 std::string("estimator.invariant=") + invariant}));
     EXPECT_EQ(ran.lost, 0);
-    double known = 0, within = 0;
-    for (const SnapshotLandmark& landmark : ran.last.landmarks) {
-      if (landmark.anchor || !landmark.truth) continue;
-      ++known;
-      within += !beyond_three_sigma(*landmark.truth - landmark.position, landmark.covariance);
-    }
-    EXPECT_GT(known, 100);
-    return within / known;
+    return share_within_three_sigma(ran.last);
   };
   EXPECT_GT(within_3_sigma("true"), 0.95);
   EXPECT_LT(within_3_sigma("false"), 0.5);

@@ -45,6 +45,7 @@ incognita_test(withheld_truth_test SOURCES app/withheld_truth_test.cpp USES inco
 incognita_test(relocalization_in_room_test SOURCES app/relocalization_in_room_test.cpp USES incognita::app)
 incognita_test(loop_closure_in_room_test SOURCES app/loop_closure_in_room_test.cpp USES incognita::app)
 incognita_test(run_description_test SOURCES app/run_description_test.cpp USES incognita::app)
+incognita_test(map_room_test SOURCES app/map_room_test.cpp USES incognita::app)
 incognita_test(room_vehicle_test SOURCES app/room_vehicle_test.cpp USES incognita::app)
 incognita_test(hand_held_test SOURCES app/hand_held_test.cpp USES incognita::app)
 incognita_test(room_motion_test SOURCES app/room_motion_test.cpp USES incognita::app fmt::fmt)

@@ -25,9 +25,9 @@ struct FeatureMatch;
 
 class LastingErrors {
  public:
-  /// Adds the blocks, of two errors each, for `most_matches` matches a frame. To be called before the first landmark; without a
-  /// lasting error in the settings it adds none.
-  void start(Estimate& estimate, const FilterSettings& settings, int most_matches);
+  /// Adds the blocks, of two errors each: two per landmark of the `most` in view, since which landmarks are matched changes from
+  /// frame to frame. To be called before the first landmark; without a lasting error in the settings it adds none.
+  void start(Estimate& estimate, const FilterSettings& settings, int most);
   /// Prediction over `dt` s: each error decays, and its variance returns to that of the settings.
   void predict(Estimate& estimate, const FilterSettings& settings, double dt) const;
   /// Lends a block to the landmark of each match that corrects the filter; blocks that were not used for longest are taken from

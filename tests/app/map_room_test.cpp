@@ -9,8 +9,8 @@ namespace incognita {
 namespace {
 
 Snapshot end_of_run(const std::string& seed) {
-  Assembly assembly = assemble(
-      load_scenario("map-room", std::vector<std::string>{"run.duration_s=20", "run.seed=" + seed}));
+  Assembly assembly =
+      assemble(load_scenario("map-room", std::vector<std::string>{"run.duration_s=20", "run.seed=" + seed}));
   Snapshot last;
   run_loop(
       assembly.parts, [&](const Snapshot& s) { last = s; }, [](const Tick&) { return true; });

@@ -27,6 +27,20 @@ TEST(AutomaticSettings, FeaturesGrowWithTheImageWithinLimits) {
   EXPECT_EQ(wanted(640, 480, 7), 7) << "as set";
 }
 
+TEST(AutomaticSettings, MoreLandmarksAreInViewWhereGapsAreFilled) {
+  WideAngleCamera lens;
+  lens.width = 320, lens.height = 240;
+  CameraSlamSettings settings;
+  settings.map.wanted_visible = 30;
+  EXPECT_EQ(most_in_view(settings, lens), 30) << "without gaps to fill those that are searched for";
+  settings.map.max_gap_px = 40;
+  EXPECT_EQ(most_in_view(settings, lens), 2 * 8 * 6);
+  settings.map.max_gap_px = 41;
+  EXPECT_EQ(most_in_view(settings, lens), 2 * 8 * 6) << "a square at the rim counts";
+  settings.map.max_gap_px = 200;
+  EXPECT_EQ(most_in_view(settings, lens), 30);
+}
+
 TEST(AutomaticSettings, FewerMeasurementsAreAffordableInALargeMap) {
   SearchSettings settings;
   settings.budget_ms = 20;

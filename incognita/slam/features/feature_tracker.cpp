@@ -165,13 +165,11 @@ void FeatureTracker::correct_by_target(Estimate& estimate) {
   if (camera_.settings.filter.invariant) keep_errors_invariant(estimate, camera_.view.body, before);
 }
 
-/// A landmark in view that is not searched for in every frame must keep its lasting error: a new one at its next match would
-/// count the same error as new information.
 void FeatureTracker::start_lasting_errors(Estimate& estimate) {
   const auto anchors = placement_.target ? placement_.target->corners.size() : 0;
   const int most_landmarks = camera_.settings.map.max_landmarks + static_cast<int>(anchors);
-  const int in_view = std::max(most_searched(camera_.settings), filled_in_view(camera_));
-  camera_.lasting.start(estimate, camera_.settings.filter, std::min(in_view, most_landmarks));
+  camera_.lasting.start(estimate, camera_.settings.filter,
+                        std::min(most_in_view(camera_.settings, camera_.camera), most_landmarks));
 }
 
 void FeatureTracker::predict_lasting_errors(Estimate& estimate, double dt) const {

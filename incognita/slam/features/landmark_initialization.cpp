@@ -131,14 +131,6 @@ int cell_of_wanted_px(const TrackedCamera& camera) {
   return static_cast<int>(std::sqrt(std::max(0.0, width * height) / cells));
 }
 
-int filled_in_view(const TrackedCamera& camera) {
-  constexpr int per_square = 2;  // those that came into view beside the one that filled the square
-  const int gap_px = camera.settings.map.max_gap_px;
-  if (gap_px == 0) return 0;
-  const auto along = [gap_px](int side_px) { return (side_px + gap_px - 1) / gap_px; };
-  return per_square * along(camera.camera.width()) * along(camera.camera.height());
-}
-
 std::vector<Eigen::Vector2d> find_new_corners(const Image& image, const Estimate& estimate,
                                               const TrackedCamera& camera, int count, int cell_px) {
   const int patch = camera.settings.search.patch_size_px, rim = patch + 2;

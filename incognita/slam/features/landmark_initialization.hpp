@@ -18,8 +18,6 @@ std::vector<Eigen::Vector2d> find_new_corners(const Image& image, const Estimate
                                               const TrackedCamera& camera, int count, int cell_px);
 /// Side of the cells, px, of which half hold a landmark if as many as wanted are in view.
 int cell_of_wanted_px(const TrackedCamera& camera);
-/// Number of landmarks in view, about, where MapSettings::max_gap_px fills the gaps between them; 0 without.
-int filled_in_view(const TrackedCamera& camera);
 
 /// Adds a landmark at a pixel of this image, as an inverse-depth landmark or as a ray with depth hypotheses,
 /// according to the settings. False when no patch can be cut or no ray maps to the pixel.

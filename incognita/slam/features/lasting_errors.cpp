@@ -9,7 +9,7 @@
 namespace incognita {
 namespace {
 
-constexpr int blocks_per_landmark = 2;
+constexpr int blocks_per_landmark = 2;  // which landmarks are in view changes
 
 Eigen::Matrix2d stationary_cov(const FilterSettings& settings, const Eigen::Matrix2d& plane_cov) {
   return std::pow(settings.sigma_lasting_px, 2) * Eigen::Matrix2d::Identity() + plane_cov;
@@ -24,10 +24,10 @@ Eigen::Matrix2d absolute(const Eigen::Matrix2d& symmetric) {
 
 }  // namespace
 
-void LastingErrors::start(Estimate& e, const FilterSettings& settings, int most) {
+void LastingErrors::start(Estimate& e, const FilterSettings& settings, int most_in_view) {
   slots_.clear();
   if (!(settings.sigma_lasting_px > 0)) return;
-  slots_.resize(static_cast<std::size_t>(blocks_per_landmark * most));
+  slots_.resize(static_cast<std::size_t>(blocks_per_landmark * most_in_view));
   for (Slot& slot : slots_) {
     slot.block = e.belief.add_vehicle(Chart::line(2), Eigen::Vector2d::Zero(),
                                       stationary_cov(settings, slot.plane_cov));

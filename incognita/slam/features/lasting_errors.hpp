@@ -5,7 +5,8 @@
 // frame. Here the error of a match, px, is white noise plus a first-order Gauss-Markov process per landmark, which the filter
 // estimates with the rest of the state ("shaping filter": Bar-Shalom, Li, Kirubarajan 2001, Section 8.2).
 //
-// Only landmarks that are matched need such a state. A fixed number of blocks, added before the first landmark, is lent to them:
+// Only landmarks in view need such a state; also those that are not searched for in every frame, since one that lost it would count
+// the same error as new information at its next match. A fixed number of blocks, added before the first landmark, is lent to them:
 // the belief neither grows nor is reordered when landmarks come and go.
 #pragma once
 
@@ -25,9 +26,9 @@ struct FeatureMatch;
 
 class LastingErrors {
  public:
-  /// Adds the blocks, of two errors each: two per landmark of the `most` in view, since which landmarks are matched changes from
-  /// frame to frame. To be called before the first landmark; without a lasting error in the settings it adds none.
-  void start(Estimate& estimate, const FilterSettings& settings, int most);
+  /// Adds the blocks, of two errors each, for `most_in_view` landmarks: twice as many, since those in view change. To be called
+  /// before the first landmark; without a lasting error in the settings it adds none.
+  void start(Estimate& estimate, const FilterSettings& settings, int most_in_view);
   /// Prediction over `dt` s: each error decays, and its variance returns to that of the settings.
   void predict(Estimate& estimate, const FilterSettings& settings, double dt) const;
   /// Lends a block to the landmark of each match that corrects the filter; blocks that were not used for longest are taken from

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "incognita/decision/plan/expected_surface.hpp"
 #include "incognita/slam/features/automatic_settings.hpp"
+#include "incognita/slam/features/landmark_initialization.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 
 namespace incognita {
@@ -57,23 +59,27 @@ const ImageExpectation::Certainty& ImageExpectation::certainty_of(std::size_t ne
 
 /// Trace of H P H': a ranking heuristic (current covariance of the body), not the predicted innovation covariance.
 double ImageExpectation::innovation_trace(const VisibleLandmark& visible) const {
-  const auto& [near, pixel, Hv, Hl] = visible;
+  const auto& [near, Hv, Hl] = visible;
   const double trace = (Hv * P_body_).cwiseProduct(Hv).sum();
-  if (near_[near].landmark->fixed) return trace;
+  if (near_[near].landmark->fixed)
+    return slam_.search.anchors_first ? std::numeric_limits<double>::infinity() : trace;
   const Certainty& certainty = certainty_of(near);
   return trace + (Hl * certainty.own).cwiseProduct(Hl).sum() +
          2 * (Hv * certainty.with_body).cwiseProduct(Hl).sum();
 }
 
-/// Fills visible_ with the mapped landmarks in view.
+/// Fills visible_ and in_camera_ with the mapped landmarks in view.
 void ImageExpectation::find_visible(const Viewpoint& from) const {
   const Eigen::Vector3d at = free_camera::position(from.camera),
                         ahead = rotation_matrix<double>(free_camera::orientation(from.camera)).col(2);
   visible_.clear();
+  in_camera_.clear();
   for (std::size_t i = 0; i < near_.size(); ++i) {
     if (ahead.dot(near_[i].position - at) <= 0) continue;
-    if (const auto match = predict_pixel(*near_[i].landmark, estimate_->belief, camera_, from.camera, slam_))
-      visible_.push_back({i, match->predicted, from.jacobian(match->Hv), match->Hl});
+    const auto match = predict_pixel(*near_[i].landmark, estimate_->belief, camera_, from.camera, slam_);
+    if (!match) continue;
+    visible_.push_back({i, from.jacobian(match->Hv), match->Hl});
+    in_camera_.push_back(PointLandmark::in_camera<double>(from.camera, near_[i].position));
   }
 }
 
@@ -97,18 +103,10 @@ void ImageExpectation::add(const BlockVector& state, std::vector<PredictedMeasur
   add_unseen(state, view, measurements);
 }
 
-/// Whether a landmark is in view so near that no new one is initialized there.
-bool ImageExpectation::is_near_visible(const Eigen::Vector2d& pixel) const {
-  const double near_px = slam_.map.max_gap_px / 2.0;
-  return std::ranges::any_of(visible_, [&](const VisibleLandmark& visible) {
-    return (visible.pixel - pixel).lpNorm<Eigen::Infinity>() < near_px;
-  });
-}
-
 void ImageExpectation::add_unseen(const BlockVector& state, const Viewpoint& view,
                                   std::vector<PredictedMeasurement>& measurements) const {
   auto counted = static_cast<std::ptrdiff_t>(unseen_->size());
-  const bool fills_gaps = slam_.map.max_gap_px > 0;
+  const bool fills_gaps = slam_.map.max_gap_m > 0;
   if (as_mapped_ && !fills_gaps)
     counted = slam_.map.wanted_visible - static_cast<std::ptrdiff_t>(visible_.size());
   for (const ExpectedLandmark& unseen : *unseen_) {
@@ -117,7 +115,10 @@ void ImageExpectation::add_unseen(const BlockVector& state, const Viewpoint& vie
     if (!in_view(state, unseen.position)) continue;
     const auto prediction = PointLandmark::predict_measurement(camera_, view.camera, unseen.position);
     if (!prediction) continue;
-    if (as_mapped_ && fills_gaps && is_near_visible(prediction->pixel)) continue;
+    if (as_mapped_ && fills_gaps &&
+        is_covered(PointLandmark::in_camera<double>(view.camera, unseen.position), in_camera_,
+                   slam_.map.max_gap_m))
+      continue;
     measurements.push_back({PredictedMeasurement::Of::unseen, 0, unseen.index, unseen_var_m2_,
                             view.jacobian(prediction->Hv), prediction->Hl, R_});
     --counted;

@@ -42,7 +42,6 @@ class ImageExpectation final : public SensorExpectation {
   };
   struct VisibleLandmark {  ///< a landmark in view
     std::size_t near = 0;
-    Eigen::Vector2d pixel;
     MeasurementJacobian Hv, Hl;
   };
   struct Certainty {  ///< covariances of a landmark, read from the belief on first use
@@ -53,7 +52,6 @@ class ImageExpectation final : public SensorExpectation {
   void find_visible(const Viewpoint& from) const;
   void add_unseen(const BlockVector& state, const Viewpoint& from,
                   std::vector<PredictedMeasurement>& measurements) const;
-  bool is_near_visible(const Eigen::Vector2d& pixel) const;
   double innovation_trace(const VisibleLandmark& visible) const;
   const Certainty& certainty_of(std::size_t near) const;
 
@@ -71,6 +69,7 @@ class ImageExpectation final : public SensorExpectation {
   // Storage that is reused, and covariances that are valid until the next prepare()
   mutable std::vector<Certainty> certainty_;
   mutable std::vector<VisibleLandmark> visible_;
+  mutable std::vector<Eigen::Vector3d> in_camera_;  ///< the positions of these
   mutable std::vector<double> traces_, sorted_;
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "incognita/slam/features/active_search.hpp"
+#include "incognita/slam/features/landmark_initialization.hpp"
 #include "incognita/slam/features/predict_matches.hpp"
 #include "tests/slam/synthetic_scene.hpp"
 
@@ -85,6 +86,23 @@ TEST(ActiveSearch, FeaturesThatStoppedMatchingComeLast) {
   EXPECT_EQ(scene.search(), 2);
   for (const std::int64_t id : {0, 1}) EXPECT_EQ(scene.outcome(id), MatchOutcome::not_searched) << id;
   for (const std::int64_t id : {2, 3}) EXPECT_EQ(scene.outcome(id), MatchOutcome::matched) << id;
+}
+
+TEST(ActiveSearch, AnchorsComeFirstUnlessTheyAreHidden) {
+  for (const bool first : {false, true})
+    for (const bool hidden : {false, true}) {
+      SearchScene scene(1e-4);
+      for (std::size_t i = 0; i < 3; ++i) scene.add(9 * i, 5);
+      const Eigen::Vector3d at = wall.corners_in_view(origin, 40).at(30);
+      const ImagePyramid pyramid(scene.image, 1);
+      add_anchor(at, *cut_view(pyramid, scene.truth(30), origin, camera, scene.tracked.settings),
+                 scene.estimate, scene.tracked);
+      if (hidden) scene.feature(3).recent_attempts = 10;
+      scene.settings().max_measurements = 2;
+      scene.settings().anchors_first = first;
+      EXPECT_EQ(scene.search(), 2);
+      EXPECT_EQ(scene.outcome(3) == MatchOutcome::matched, first && !hidden) << first << hidden;
+    }
 }
 
 TEST(ActiveSearch, FindsThePatchInsideItsEllipseAndNowhereElse) {

@@ -33,11 +33,16 @@ TEST(AutomaticSettings, MoreLandmarksAreInViewWhereGapsAreFilled) {
   CameraSlamSettings settings;
   settings.map.wanted_visible = 30;
   EXPECT_EQ(most_in_view(settings, lens), 30) << "without gaps to fill those that are searched for";
-  settings.map.max_gap_px = 40;
-  EXPECT_EQ(most_in_view(settings, lens), 2 * 8 * 6);
-  settings.map.max_gap_px = 41;
-  EXPECT_EQ(most_in_view(settings, lens), 2 * 8 * 6) << "a square at the rim counts";
-  settings.map.max_gap_px = 200;
+  settings.map.max_gap_m = 0.6;
+  const int most = most_in_view(settings, lens);
+  EXPECT_GT(most, 90);
+  settings.map.max_gap_m = 0.3;
+  EXPECT_NEAR(most_in_view(settings, lens), 4 * most, 4) << "by area";
+  settings.initialization.inverse_depth_per_m *= 2;
+  EXPECT_NEAR(most_in_view(settings, lens), most, 1) << "surfaces expected at half the distance";
+  settings.map.max_gap_m = 1e-6;
+  EXPECT_LE(most_in_view(settings, lens), 10000);
+  settings.map.max_gap_m = 5;
   EXPECT_EQ(most_in_view(settings, lens), 30);
 }
 

@@ -100,6 +100,40 @@ TEST(CornerChoice, UntilTheImageIsFullKeepsFeaturesApart) {
   EXPECT_GT(taken.size(), 15u);
 }
 
+/// Around a landmark at 2 m on a wall, as much as half of the gap is kept free, whatever the image shows there.
+TEST(CornerChoice, GapsAreFilledByDistance) {
+  const Image image = Wall(2).seen_from(origin);
+  const Eigen::Vector2d middle(160, 120);
+  for (const double gap_m : {0.4, 0.8}) {
+    Tracking t(origin, well_known);
+    t.tracked.settings.initialization.look_ahead_s = 0;
+    t.tracked.median_depth_m = 2;
+    const Eigen::Vector3d known = Wall(2).point_at(origin, middle);
+    t.add_point(image, origin, known, known, 0.01);
+    std::vector<Eigen::Vector3d> covered = {known};
+    double nearest = 10;
+    for (const Eigen::Vector2d& at : find_new_corners(image, t.estimate, t.tracked, 1000, 0, gap_m)) {
+      const Eigen::Vector3d on_wall = Wall(2).point_at(origin, at);
+      for (const Eigen::Vector3d& other : covered) nearest = std::min(nearest, (on_wall - other).norm());
+      covered.push_back(on_wall);
+    }
+    EXPECT_GT(nearest, 0.45 * gap_m) << "half of it, but for the slant of the wall";
+    EXPECT_LT(nearest, 0.75 * gap_m);
+    EXPECT_GT(covered.size(), 5u);
+  }
+}
+
+TEST(CornerChoice, ALandmarkCoversWhatIsAroundItAtItsDistance) {
+  const Eigen::Vector3d ahead(0, 0, 1), landmark(0.25, 0, 3);
+  EXPECT_FALSE(is_covered(ahead, {}, 1));
+  EXPECT_TRUE(is_covered(ahead, {&landmark, 1}, 0.6)) << "0.25 m beside it";
+  EXPECT_TRUE(is_covered(7 * ahead, {&landmark, 1}, 0.6)) << "of the ray only the direction counts";
+  EXPECT_FALSE(is_covered(ahead, {&landmark, 1}, 0.4));
+  const Eigen::Vector3d nearer = landmark / 2;
+  EXPECT_TRUE(is_covered(ahead, {&nearer, 1}, 0.4)) << "the same direction, but 0.13 m beside it";
+  EXPECT_FALSE(is_covered(-ahead, {&nearer, 1}, 0.4));
+}
+
 /// Share of corners that will be out of the image in `look_ahead_s`, were they `depth_m` away.
 double share_leaving(const std::vector<Eigen::Vector2d>& corners, const CameraState& now, double depth_m,
                      double look_ahead_s) {

@@ -91,9 +91,10 @@ TEST(LandmarkInitialization, OfAnInverseDepthIsTheRayWithItsPropagatedCovariance
   EXPECT_EQ(estimate.belief.dense_covariance().topLeftCorner(15, 15), before) << "all else is as it was";
 }
 
-TEST(LandmarkInitialization, TheDepthPriorIsScaledToANearerView) {
+TEST(LandmarkInitialization, TheDepthPriorIsScaledToTheView) {
+  using enum InitializationSettings::ScalePrior;
   TrackedCamera tracked{.camera = camera};
-  const auto prior = [&](double median_depth_m, bool scaled) {
+  const auto prior = [&](double median_depth_m, InitializationSettings::ScalePrior scaled) {
     tracked.median_depth_m = median_depth_m;
     tracked.settings.initialization.scale_prior_to_view = scaled;
     const DepthPrior of_new = tracked.depth_prior();
@@ -101,10 +102,14 @@ TEST(LandmarkInitialization, TheDepthPriorIsScaledToANearerView) {
   };
   tracked.settings.initialization.inverse_depth_per_m = 0.5;
   tracked.settings.initialization.sigma_inverse_depth_per_m = 0.4;
-  EXPECT_TRUE(prior(0.5, true).isApprox(Eigen::Vector2d(2, 1.6)));
-  EXPECT_TRUE(prior(2, true).isApprox(Eigen::Vector2d(0.5, 0.4)));
-  EXPECT_TRUE(prior(8, true).isApprox(Eigen::Vector2d(0.5, 0.4)));
-  EXPECT_TRUE(prior(0.5, false).isApprox(Eigen::Vector2d(0.5, 0.4)));
+  for (const auto scaled : {nearer, always}) {
+    EXPECT_TRUE(prior(0.5, scaled).isApprox(Eigen::Vector2d(2, 1.6)));
+    EXPECT_TRUE(prior(2, scaled).isApprox(Eigen::Vector2d(0.5, 0.4)));
+  }
+  EXPECT_TRUE(prior(4, nearer).isApprox(Eigen::Vector2d(0.5, 0.4)));
+  EXPECT_TRUE(prior(4, always).isApprox(Eigen::Vector2d(0.25, 0.2)));
+  EXPECT_TRUE(prior(100, always).isApprox(Eigen::Vector2d(0.15, 0.12))) << "something nearer may come into view";
+  EXPECT_TRUE(prior(0.5, never).isApprox(Eigen::Vector2d(0.5, 0.4)));
 }
 
 TEST(LandmarkInitialization, OfADepthLineIsTheRayAndUniformParticles) {

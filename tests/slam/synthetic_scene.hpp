@@ -202,7 +202,7 @@ inline CameraSlamSettings few_features() {
   settings.initialization.selection = InitializationSettings::Selection::random_box;
   settings.initialization.max_new_per_frame = 1;
   settings.initialization.min_corner_strength = 30;
-  settings.initialization.scale_prior_to_view = false;
+  settings.initialization.scale_prior_to_view = InitializationSettings::ScalePrior::never;
   settings.initialization.second_order = false;
   settings.map.max_landmarks = 200;
   settings.bundle.adjust = false;

@@ -64,6 +64,12 @@ inline constexpr auto enum_words<InitializationSettings::Selection> =
         {{InitializationSettings::Selection::grid, "grid"},
          {InitializationSettings::Selection::random_box, "random-box"}});
 template <>
+inline constexpr auto enum_words<InitializationSettings::ScalePrior> =
+    std::to_array<EnumWord<InitializationSettings::ScalePrior>>(
+        {{InitializationSettings::ScalePrior::never, "never"},
+         {InitializationSettings::ScalePrior::nearer, "nearer"},
+         {InitializationSettings::ScalePrior::always, "always"}});
+template <>
 inline constexpr auto enum_words<Linearization> =
     std::to_array<EnumWord<Linearization>>({{Linearization::analytic, "analytic"},
                                             {Linearization::iterated, "iterated"},

@@ -43,6 +43,11 @@ double expected_information(const FeatureMatch& match, const TrackedCamera& came
   return 0.5 * std::log(ratio) * match_probability(camera.features.at(match.id));
 }
 
+/// An anchor that is hidden waits its turn.
+bool is_probable(const FeatureMatch& match, const TrackedCamera& camera) {
+  return match_probability(camera.features.at(match.id)) > 0.5;
+}
+
 }  // namespace
 
 namespace {
@@ -78,8 +83,12 @@ void search_blurred(CorrelationSheet& sheet, const ImagePyramid& image, TrackedC
 
 void active_search(const ImagePyramid& image, TrackedCamera& camera) {
   const SearchSettings& settings = camera.settings.search;
-  for (FeatureMatch& match : camera.matches) match.expected_information = expected_information(match, camera);
+  for (FeatureMatch& match : camera.matches) {
+    match.expected_information = expected_information(match, camera);
+    match.comes_first = settings.anchors_first && match.anchor && is_probable(match, camera);
+  }
   std::sort(camera.matches.begin(), camera.matches.end(), [](const FeatureMatch& a, const FeatureMatch& b) {
+    if (a.comes_first != b.comes_first) return a.comes_first;
     return a.expected_information != b.expected_information ? a.expected_information > b.expected_information
                                                             : a.id < b.id;
   });

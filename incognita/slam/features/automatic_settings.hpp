@@ -12,7 +12,7 @@ CameraSlamSettings with_automatic(CameraSlamSettings settings, const Camera& cam
 /// Features that are searched for in a frame at most, of settings without "automatic" values; the time budget may allow fewer.
 int most_searched(const CameraSlamSettings& settings);
 
-/// Landmarks in view in nine of ten frames at most, of the same settings: more than are searched for where MapSettings::max_gap_px
+/// Landmarks in view in nine of ten frames at most, of the same settings: more than are searched for where MapSettings::max_gap_m
 /// fills the gaps between them.
 int most_in_view(const CameraSlamSettings& settings, const Camera& camera);
 

@@ -74,6 +74,7 @@ struct FeatureMatch {
   /// px^2, of the error of a match, white and lasting, before it
   Eigen::Matrix2d error_cov = Eigen::Matrix2d::Zero();
   double expected_information = 0;                       ///< nats, of a search; it orders them
+  bool comes_first = false;                              ///< is searched for before all others
   CameraJacobian Hv;                                     ///< d(pixel) / d(camera error)
   Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 6> Hl;  ///< no columns for anchors
   /// InverseDepthLandmark::Prediction; zero for points
@@ -132,7 +133,8 @@ struct TrackedCamera {
   std::vector<DepthParticle> ray_particles = {};  ///< of those, one after the other
   double median_depth_m = 1;                      ///< distance of the landmarks matched last, or of a new one
   /// Prior of the inverse depth of a new landmark. That of the settings may lie far from all depths in view, and the error is
-  /// common to all new landmarks: if these are a wall at 0.5 m that is expected at 2 m, translation looks like rotation.
+  /// common to all new landmarks: if these are a wall at 0.5 m that is expected at 2 m, translation looks like rotation; if they
+  /// are walls at 4 m, hundreds of them make translation, and with it the map, too small.
   DepthPrior depth_prior() const;
   int max_measurements = 0;  ///< without SearchSettings::max_measurements
   int predicted = 0;         ///< features searched for

@@ -430,17 +430,17 @@ FeatureTracker::NewLandmarks FeatureTracker::new_landmarks(const Estimate& estim
           camera_.settings.map.max_landmarks - mapped - rays};
 }
 
-/// Landmarks in large parts of the image that hold none, a few in each frame; their number.
+/// Landmarks where the surface in view has none nearby, a few in each frame; their number.
 int FeatureTracker::fill_gaps(Estimate& estimate) {
   constexpr int most_per_frame = 2;
-  const int cell_px = camera_.settings.map.max_gap_px;
-  if (cell_px == 0) return 0;
+  const double gap_m = camera_.settings.map.max_gap_m;
+  if (gap_m == 0) return 0;
   const int possible = std::min(
       {new_landmarks(estimate).possible, most_per_frame, camera_.settings.initialization.max_new_per_frame});
   if (possible <= 0) return 0;
   int filled = 0;
   for (const Eigen::Vector2d& corner :
-       find_new_corners(pyramid_.image(), estimate, camera_, possible, cell_px))
+       find_new_corners(pyramid_.image(), estimate, camera_, possible, 0, gap_m))
     filled += initialize_from_image(pyramid_, corner, estimate, camera_);
   return filled;
 }
@@ -455,7 +455,7 @@ void FeatureTracker::add_landmarks(Estimate& estimate) {
   if (wanted <= 0) return;
   if (camera_.settings.initialization.selection == InitializationSettings::Selection::grid) {
     for (const Eigen::Vector2d& corner :
-         find_new_corners(pyramid_.image(), estimate, camera_, wanted, cell_of_wanted_px(camera_)))
+         find_new_corners(pyramid_.image(), estimate, camera_, wanted, cell_of_wanted_px(camera_), 0))
       initialize_from_image(pyramid_, corner, estimate, camera_);
     return;
   }

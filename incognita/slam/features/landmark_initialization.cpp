@@ -11,12 +11,22 @@ namespace {
 
 constexpr int boxes_tried = 15;  // per frame, until one is free of landmarks and contains a corner
 
-bool near_any_match(const std::vector<Eigen::Vector2d>& measurements, const PixelBox& box, int margin) {
-  for (const auto& at : measurements)
-    if (at.x() > box.u - margin && at.x() < box.u + box.width + margin && at.y() > box.v - margin &&
-        at.y() < box.v + box.height + margin)
-      return true;
-  return false;
+/// Where landmarks are in the image, px, and in the frame of the camera, m.
+struct Occupied {
+  std::vector<Eigen::Vector2d> pixels;
+  std::vector<Eigen::Vector3d> points;
+
+  void add(const Eigen::Vector2d& pixel, const Camera& camera, double distance_m) {
+    pixels.push_back(pixel);
+    if (const auto ray = camera.unproject(pixel)) points.push_back(distance_m * ray->normalized());
+  }
+};
+
+bool near_any(const std::vector<Eigen::Vector2d>& pixels, const PixelBox& box, int margin) {
+  return std::ranges::any_of(pixels, [&](const Eigen::Vector2d& at) {
+    return at.x() > box.u - margin && at.x() < box.u + box.width + margin && at.y() > box.v - margin &&
+           at.y() < box.v + box.height + margin;
+  });
 }
 
 /// The look-ahead time, less where the image moves fast: by at most a quarter of the field of view.
@@ -62,20 +72,22 @@ std::vector<DepthHypothesis> depths_on(const InverseDepthLandmark::State& ray,
   return uniform_depths(initialization.depth_range(), Eigen::Vector3d(ray[3], ray[4], 1).norm());
 }
 
-/// Occupied pixels: all landmarks predicted in view, rays, and landmarks initialized in this frame. Landmarks that returned and are
-/// missed are probably elsewhere.
-std::vector<Eigen::Vector2d> occupied_pixels(const Estimate& estimate, const TrackedCamera& camera) {
-  std::vector<Eigen::Vector2d> taken;
-  const MissedLandmarks missed = missed_landmarks(camera);
-  for (const FeatureMatch& match : camera.matches)
-    if (!missed.may_be_right(match.id)) taken.push_back(match.measured.value_or(match.predicted));
-  for (const auto& [id, feature] : camera.features) {
+/// All landmarks predicted in view, rays, and landmarks initialized in this frame. Landmarks that returned and are missed are
+/// probably elsewhere.
+Occupied occupied(const Estimate& estimate, const TrackedCamera& tracked) {
+  Occupied taken;
+  const Camera& camera = tracked.camera;
+  const Eigen::Vector3d from = free_camera::position(tracked.view.camera);
+  const MissedLandmarks missed = missed_landmarks(tracked);
+  for (const FeatureMatch& match : tracked.matches)
+    if (!missed.may_be_right(match.id))
+      taken.add(match.measured.value_or(match.predicted), camera, (match.point - from).norm());
+  for (const auto& [id, feature] : tracked.features) {
     const Landmark& landmark = estimate.landmarks.at(id);
     if (landmark.form.kind != LandmarkParametrization::Kind::ray && feature.attempts > 0) continue;
     if (const auto at = current_position(estimate, landmark, feature))
-      if (const auto projected =
-              camera.camera.project(PointLandmark::in_camera<double>(camera.view.camera, *at)))
-        taken.push_back(projected->pixel);
+      if (const auto projected = camera.project(PointLandmark::in_camera<double>(tracked.view.camera, *at)))
+        taken.add(projected->pixel, camera, (*at - from).norm());
   }
   return taken;
 }
@@ -106,8 +118,8 @@ namespace {
 
 /// The center of a patch at a corner; nothing if it is on a landmark, or soon out of view.
 std::optional<Eigen::Vector2d> patch_center(const Image& image, const Corner& corner,
-                                            const TrackedCamera& camera,
-                                            const std::vector<Eigen::Vector2d>& taken, int min_distance_px) {
+                                            const TrackedCamera& camera, const Occupied& taken,
+                                            int min_distance_px) {
   const InitializationSettings& initialization = camera.settings.initialization;
   if (corner.strength < initialization.min_corner_strength) return std::nullopt;
   std::optional<Eigen::Vector2d> center(std::in_place, corner.u, corner.v);
@@ -117,7 +129,7 @@ std::optional<Eigen::Vector2d> patch_center(const Image& image, const Corner& co
   // The center may lie outside the box, on a corner that is already mapped
   const PixelBox there{static_cast<int>(std::lround(center->x())), static_cast<int>(std::lround(center->y())),
                        1, 1};
-  if (near_any_match(taken, there, min_distance_px)) return std::nullopt;
+  if (near_any(taken.pixels, there, min_distance_px)) return std::nullopt;
   return center;
 }
 
@@ -131,30 +143,46 @@ int cell_of_wanted_px(const TrackedCamera& camera) {
   return static_cast<int>(std::sqrt(std::max(0.0, width * height) / cells));
 }
 
-std::vector<Eigen::Vector2d> find_new_corners(const Image& image, const Estimate& estimate,
-                                              const TrackedCamera& camera, int count, int cell_px) {
-  const int patch = camera.settings.search.patch_size_px, rim = patch + 2;
-  const int width = image.width() - 2 * rim, height = image.height() - 2 * rim;
-  if (width < 1 || height < 1) return {};
-  std::vector<Eigen::Vector2d> taken = occupied_pixels(estimate, camera), found;
-  const int side = std::max(patch + 4, cell_px);
+bool is_covered(const Eigen::Vector3d& ray, std::span<const Eigen::Vector3d> landmarks, double gap_m) {
+  const Eigen::Vector3d direction = ray.normalized();
+  return std::ranges::any_of(landmarks, [&](const Eigen::Vector3d& landmark) {
+    return (landmark.norm() * direction - landmark).norm() < gap_m / 2;
+  });
+}
+
+namespace {
+
+/// The strongest corner of each cell of a grid over the image that holds no landmark, the strongest first.
+std::vector<Corner> corners_of_cells(const Image& image, const Occupied& taken, int patch, int side) {
   thread_local CornerMap map;
   map.assign(image, patch);
+  const int rim = patch + 2, right = image.width() - rim, bottom = image.height() - rim;
   std::vector<Corner> corners;
-  for (int v = rim; v < rim + height; v += side)
-    for (int u = rim; u < rim + width; u += side) {
-      const PixelBox cell{u, v, std::min(side, rim + width - u), std::min(side, rim + height - v)};
-      if (near_any_match(taken, cell, 0)) continue;
+  for (int v = rim; v < bottom; v += side)
+    for (int u = rim; u < right; u += side) {
+      const PixelBox cell{u, v, std::min(side, right - u), std::min(side, bottom - v)};
+      if (near_any(taken.pixels, cell, 0)) continue;
       if (const auto corner = map.strongest(cell)) corners.push_back(*corner);
     }
   std::stable_sort(corners.begin(), corners.end(),
                    [](const Corner& a, const Corner& b) { return a.strength > b.strength; });
-  for (const Corner& corner : corners) {
+  return corners;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> find_new_corners(const Image& image, const Estimate& estimate,
+                                              const TrackedCamera& camera, int count, int cell_px,
+                                              double gap_m) {
+  const int patch = camera.settings.search.patch_size_px;
+  Occupied taken = occupied(estimate, camera);
+  std::vector<Eigen::Vector2d> found;
+  for (const Corner& corner : corners_of_cells(image, taken, patch, std::max(patch + 4, cell_px))) {
     if (static_cast<int>(found.size()) == count) break;
     const auto center = patch_center(image, corner, camera, taken, patch);
-    if (!center) continue;
+    if (!center || is_covered(*camera.camera.unproject(*center), taken.points, gap_m)) continue;
     found.push_back(*center);
-    taken.push_back(*center);
+    taken.add(*center, camera.camera, camera.median_depth_m);
   }
   return found;
 }
@@ -167,11 +195,11 @@ std::optional<Eigen::Vector2d> find_new_corner(const Image& image, const Estimat
   const int width = std::min(initialization.box_width_px, image.width() - 2 * rim);
   const int height = std::min(initialization.box_height_px, image.height() - 2 * rim);
   if (width < 1 || height < 1) return std::nullopt;
-  const std::vector<Eigen::Vector2d> taken = occupied_pixels(estimate, camera);
+  const Occupied taken = occupied(estimate, camera);
   for (int i = 0; i < boxes_tried; ++i) {
     const PixelBox box{rim + random.below(image.width() - 2 * rim - width + 1),
                        rim + random.below(image.height() - 2 * rim - height + 1), width, height};
-    if (near_any_match(taken, box, patch / 2)) continue;
+    if (near_any(taken.pixels, box, patch / 2)) continue;
     const auto corner = strongest_corner(image, box, patch);
     if (!corner) continue;
     if (const auto center = patch_center(image, *corner, camera, taken, patch / 2)) return center;

@@ -62,6 +62,7 @@ struct SearchSettings {
   double min_correlation = 0.8;
   int max_measurements = 0;
   double budget_ms = 20;
+  bool anchors_first = false;
   bool align_images = true;
   int levels = 4;
   double max_half_axis_px = 60;
@@ -85,6 +86,9 @@ struct SearchSettings {
     setting(
         &S::budget_ms, "budget_ms", "ms", above_up_to(0, 1e5),
         "Time per frame for matching and correction, of one core at 20 Gflop/s, that limits the features searched");
+    setting(
+        &S::anchors_first, "anchors_first", "", any(),
+        "Whether anchors in view, whose measurements inform on the camera alone, are searched for before all others");
     setting(&S::align_images, "align_images", "", any(),
             "Whether successive images are aligned as a whole before features are searched for");
     setting(
@@ -107,6 +111,8 @@ struct InitializationSettings {
     grid,       ///< the strongest corners of cells without a feature, over the whole image
     random_box  ///< the strongest corner of a box placed at random, thesis C.3
   };
+  /// Where the prior of the depth is that of the landmarks in view.
+  enum class ScalePrior { never, nearer, always };
 
   Method method = Method::inverse_depth;
   int box_width_px = 80;
@@ -124,7 +130,7 @@ struct InitializationSettings {
   int max_line_failures = 10;
   double inverse_depth_per_m = 0.5;
   double sigma_inverse_depth_per_m = 0.5;
-  bool scale_prior_to_view = true;
+  ScalePrior scale_prior_to_view = ScalePrior::nearer;
   double max_linearity = 0.1;
   bool second_order = true;
 
@@ -165,8 +171,8 @@ struct InitializationSettings {
             "Prior standard deviation of the inverse depth");
     setting(
         &S::scale_prior_to_view, "scale_prior_to_view", "", any(),
-        "Whether mean and standard deviation of this prior are scaled to the median depth of the matched landmarks "
-        "where that is nearer");
+        "Whether mean and standard deviation of this prior are scaled to the median depth of the matched landmarks: never, "
+        "where that is nearer, or always");
     setting(&S::max_linearity, "max_linearity", "", between(0, 10),
             "Linearity index (Civera et al. 2008) below which an inverse depth becomes a point");
     setting(
@@ -177,7 +183,7 @@ struct InitializationSettings {
 
 struct MapSettings {
   int wanted_visible = 0;
-  int max_gap_px = 0;
+  double max_gap_m = 0;
   int max_landmarks = 500;
   bool replace_when_full = true;
   double max_view_angle_rad = 0.7;
@@ -194,9 +200,9 @@ struct MapSettings {
         "Number of landmarks expected to match below which new ones are initialized; 0: by the size of the image, 60 "
         "at 640x480, and of point landmarks all in view");
     setting(
-        &S::max_gap_px, "max_gap_px", "px", between(0, 16384),
-        "Side of a square of the image in which a new landmark is initialized if it holds none, even where enough are in "
-        "view; 0: no such squares");
+        &S::max_gap_m, "max_gap_m", "m", between(0, 1000),
+        "Diameter of the largest area without a landmark, at the distance of the landmarks beside it: larger ones get a new "
+        "one, even where enough are in view; 0: no limit");
     setting(&S::max_landmarks, "max_landmarks", "", between(1, 10000), "Limit of the number of landmarks");
     setting(
         &S::replace_when_full, "replace_when_full", "", any(),

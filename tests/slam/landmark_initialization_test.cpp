@@ -108,7 +108,8 @@ TEST(LandmarkInitialization, TheDepthPriorIsScaledToTheView) {
   }
   EXPECT_TRUE(prior(4, nearer).isApprox(Eigen::Vector2d(0.5, 0.4)));
   EXPECT_TRUE(prior(4, always).isApprox(Eigen::Vector2d(0.25, 0.2)));
-  EXPECT_TRUE(prior(100, always).isApprox(Eigen::Vector2d(0.15, 0.12))) << "something nearer may come into view";
+  EXPECT_TRUE(prior(100, always).isApprox(Eigen::Vector2d(0.15, 0.12)))
+      << "something nearer may come into view";
   EXPECT_TRUE(prior(0.5, never).isApprox(Eigen::Vector2d(0.5, 0.4)));
 }
 

@@ -96,8 +96,8 @@ void CarrierChoice::state(StateArchive& archive) {
 
 template <AnyStateArchive Archive>
 void serialize(Archive& archive, PlannedMap::Taken& taken) {
-  auto& [block, row, errors, J, position, moved] = taken;
-  archive(block, row, errors, J, position, moved);
+  auto& [block, row, errors, J, position, moved, weight] = taken;
+  archive(block, row, errors, J, position, moved, weight);
 }
 
 void PlannedMap::state(StateArchive& archive) {

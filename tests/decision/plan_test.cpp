@@ -208,6 +208,22 @@ TEST(PlannedMap, LeavesOutLandmarksThatMoved) {
   EXPECT_GE(map.row_of(blocks[1]), 0);
 }
 
+/// An error that the whole map shares counts for each of its landmarks, also for those that a plan does not follow.
+TEST(PlannedMap, SomeLandmarksStandForTheRestOfTheMap) {
+  const Scene scene(7);
+  const std::vector<BlockId> followed{scene.estimate.landmarks.begin()->second.block};
+  const auto weights = [&](int others) {
+    PlannedMap map;
+    map.start(scene.estimate, 0, followed, expected_var_m2, others);
+    std::vector<double> found;
+    for (const PlannedMap::Taken& landmark : map.taken()) found.push_back(landmark.weight);
+    return found;
+  };
+  EXPECT_EQ(weights(0), (std::vector<double>{1}));
+  EXPECT_EQ(weights(2), (std::vector<double>{1, 3, 3}));
+  EXPECT_EQ(weights(100), std::vector<double>(7, 1));
+}
+
 TEST(Planner, TurnsToWhatIsUnmapped) {
   Scene scene(12);
   for (int i = 0; i < 5; ++i) scene.unmapped.push_back({i, {0.3 * i, 3, 1}});  // to the left

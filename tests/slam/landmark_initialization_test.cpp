@@ -113,6 +113,37 @@ TEST(LandmarkInitialization, TheDepthPriorIsScaledToTheView) {
   EXPECT_TRUE(prior(0.5, never).isApprox(Eigen::Vector2d(0.5, 0.4)));
 }
 
+TEST(LandmarkInitialization, TheDepthOfTheViewIsThatOfLandmarksOfKnownDepth) {
+  using enum InitializationSettings::ScalePrior;
+  Estimate estimate;
+  TrackedCamera tracked{.camera = camera};
+  tracked.view.camera = origin;
+  const auto add = [&](std::int64_t id, double x_m, LandmarkParametrization::Kind kind,
+                       MatchOutcome outcome) {
+    Landmark landmark;
+    landmark.id = id;
+    landmark.form.kind = kind;
+    estimate.landmarks[id] = landmark;
+    FeatureMatch match;
+    match.id = id;
+    match.point = {x_m, 0, 0};
+    match.outcome = outcome;
+    tracked.matches.push_back(match);
+  };
+  const auto depth_m = [&](InitializationSettings::ScalePrior scaled) {
+    tracked.settings.initialization.scale_prior_to_view = scaled;
+    return depth_of_view(estimate, tracked);
+  };
+  EXPECT_FALSE(depth_m(always)) << "no match";
+  for (int i = 0; i < 3; ++i) add(i, 2, LandmarkParametrization::Kind::inverse_depth, MatchOutcome::matched);
+  EXPECT_EQ(depth_m(nearer), 2);
+  EXPECT_FALSE(depth_m(always)) << "the prior of these landmarks says nothing of the depth";
+  add(3, 4, LandmarkParametrization::Kind::point, MatchOutcome::matched);
+  add(4, 9, LandmarkParametrization::Kind::point, MatchOutcome::outlier);
+  EXPECT_EQ(depth_m(nearer), 2);
+  EXPECT_EQ(depth_m(always), 4);
+}
+
 TEST(LandmarkInitialization, OfADepthLineIsTheRayAndUniformParticles) {
   CameraSlamSettings settings = few_features();
   settings.initialization.method = InitializationSettings::Method::depth_line;

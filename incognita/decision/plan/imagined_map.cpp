@@ -20,22 +20,34 @@ double log_det_to(const Eigen::Matrix3d& P, double resolution_m) {
 
 }  // namespace
 
+void PlannedMap::take(const Estimate& estimate, const Landmark& landmark, double weight) {
+  const auto position = position_of(landmark.form, estimate.belief.mean(landmark.block));
+  if (!position || position->position.size() != 3) return;
+  const int row = taken_.empty() ? body_errors_ : taken_.back().row + taken_.back().errors,
+            errors = estimate.belief.chart(landmark.block).tangent();
+  taken_.push_back({landmark.block, row, errors, position->J, position->position, false, weight});
+}
+
 void PlannedMap::start(const Estimate& estimate, std::size_t body, std::span<const BlockId> landmarks,
-                       double expected_var_m2) {
+                       double expected_var_m2, int others) {
   const AnyBelief& belief = estimate.belief;
   const BlockId of_body = estimate.bodies[body].block;
   body_errors_ = belief.chart(of_body).tangent();
   expected_var_m2_ = expected_var_m2;
   taken_.clear();
-  int rows = body_errors_;
+  std::vector<const Landmark*> rest;
   for (const auto& [id, landmark] : estimate.landmarks) {
-    if (landmark.fixed || std::ranges::find(landmarks, landmark.block) == landmarks.end()) continue;
-    const auto position = position_of(landmark.form, belief.mean(landmark.block));
-    if (!position || position->position.size() != 3) continue;
-    const int errors = belief.chart(landmark.block).tangent();
-    taken_.push_back({landmark.block, rows, errors, position->J, position->position});
-    rows += errors;
+    if (landmark.fixed) continue;
+    if (std::ranges::find(landmarks, landmark.block) != landmarks.end())
+      take(estimate, landmark, 1);
+    else if (landmark.form.kind == LandmarkParametrization::Kind::point)
+      rest.push_back(&landmark);
   }
+  const std::size_t count = std::min(rest.size(), static_cast<std::size_t>(others));
+  for (std::size_t i = 0; i < count; ++i)
+    take(estimate, *rest[i * rest.size() / count],
+         static_cast<double>(rest.size()) / static_cast<double>(count));
+  const int rows = taken_.empty() ? body_errors_ : taken_.back().row + taken_.back().errors;
   covariance_.resize(rows, rows);
   covariance_.topLeftCorner(body_errors_, body_errors_) = belief.covariance(of_body);
   for (std::size_t i = 0; i < taken_.size(); ++i) {
@@ -143,7 +155,7 @@ double ImaginedMap::about_map(const PlannedMap& map, const Resolution& resolutio
   for (const PlannedMap::Taken& l : map.taken()) {
     const Eigen::Matrix3d was = l.J * before.block(l.row, l.row, l.errors, l.errors) * l.J.transpose(),
                           is = l.J * P_.block(l.row, l.row, l.errors, l.errors) * l.J.transpose();
-    nats += (log_det_to(was, resolution.position_m) - log_det_to(is, resolution.position_m)) / 2;
+    nats += l.weight * (log_det_to(was, resolution.position_m) - log_det_to(is, resolution.position_m)) / 2;
   }
   return nats;
 }

@@ -22,8 +22,10 @@ class StateArchive;
 class PlannedMap {
  public:
   /// Takes the body and those landmarks of the map. `expected_var_m2`: variance of each coordinate of an expected landmark.
+  /// `others`: of the rest of the map at most that many, evenly, which stand for all of it: an error that the whole map shares counts
+  /// for each of its landmarks.
   void start(const Estimate& estimate, std::size_t body, std::span<const BlockId> landmarks,
-             double expected_var_m2);
+             double expected_var_m2, int others = 0);
 
   /// Leaves out landmarks whose estimate has moved, or has another form, since start(). Their measurements, predicted at the new
   /// estimate, are inconsistent with the old covariance: they would seem to constrain the heading of the whole map.
@@ -41,6 +43,7 @@ class PlannedMap {
     Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 6> J;  ///< d(position) / d(errors)
     Eigen::Vector3d position{0, 0, 0};                    ///< world, m
     bool moved = false;                                   ///< since then
+    double weight = 1;                                    ///< landmarks of the map that it stands for
   };
   const std::vector<Taken>& taken() const { return taken_; }
   /// Saves or restores: math/saved_state/.
@@ -49,6 +52,8 @@ class PlannedMap {
  private:
   int body_errors_ = 0;
   double expected_var_m2_ = 0;
+  void take(const Estimate& estimate, const Landmark& landmark, double weight);
+
   std::vector<Taken> taken_;
   Eigen::MatrixXd covariance_;
 };

@@ -12,14 +12,14 @@
 namespace incognita {
 namespace {
 
-/// Thins the measurements of the map out, evenly; those that are expected stay.
+/// Thins the measurements of the map out, evenly. Those that are expected stay, and anchors: they inform on what all landmarks share.
 void thin_out(std::vector<PredictedMeasurement>& measurements, int most) {
   const auto known = std::ranges::count_if(
-      measurements, [](const auto& m) { return m.of != PredictedMeasurement::Of::unseen; });
+      measurements, [](const auto& m) { return m.of == PredictedMeasurement::Of::mapped; });
   if (known <= most) return;
   int passed = 0, kept = 0;
   std::erase_if(measurements, [&](const PredictedMeasurement& m) {
-    if (m.of == PredictedMeasurement::Of::unseen) return false;
+    if (m.of != PredictedMeasurement::Of::mapped) return false;
     ++passed;
     if (kept * known >= passed * most) return true;
     ++kept;
@@ -86,7 +86,7 @@ void Planner::take_landmarks(const Input& now, const BlockVector& start) {
   most.resize(std::min(most.size(), static_cast<std::size_t>(settings_.max_landmarks)));
   std::vector<BlockId> blocks;
   for (const auto& [count, block] : most) blocks.push_back(block);
-  map_.start(now.estimate, now.body, blocks, now.expected_var_m2);
+  map_.start(now.estimate, now.body, blocks, now.expected_var_m2, settings_.max_others);
 }
 
 /// The measurements from the state of the node update its covariance. `before`: the state at the view before.

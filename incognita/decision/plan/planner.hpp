@@ -29,6 +29,7 @@ struct PlannerSettings {
   double period_s = 1;
   int max_evaluations = 300;  ///< actions imagined in one comparison; at least one per first action
   int max_landmarks = 48;     ///< of the map, that a plan follows
+  int max_others = 16;        ///< of the rest of the map, which stand for all of it
   int max_measured = 12;      ///< of the map, that a view corrects the imagined estimate by
   int min_matches = 8;        ///< of the map in every view; 0: no constraint
   double pose_weight = 1;

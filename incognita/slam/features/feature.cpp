@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "incognita/math/median.hpp"
 
 namespace incognita {
 
@@ -47,6 +50,22 @@ std::optional<Eigen::Vector3d> current_position(const Estimate& e, const Landmar
   }
   const auto at = position_of(landmark.form, SmallVector(e.belief.mean(landmark.block)));
   return at ? std::optional<Eigen::Vector3d>(at->position) : std::nullopt;
+}
+
+std::optional<double> depth_of_view(const Estimate& estimate, const TrackedCamera& camera) {
+  const bool only_known =
+      camera.settings.initialization.scale_prior_to_view == InitializationSettings::ScalePrior::always;
+  const Eigen::Vector3d from = free_camera::position(camera.view.camera);
+  thread_local std::vector<double> distances;
+  distances.clear();
+  for (const FeatureMatch& match : camera.matches) {
+    if (match.outcome != MatchOutcome::matched) continue;
+    if (only_known && estimate.landmarks.at(match.id).form.kind != LandmarkParametrization::Kind::point)
+      continue;
+    distances.push_back((match.point - from).norm());
+  }
+  if (distances.empty()) return std::nullopt;
+  return median(distances);
 }
 
 }  // namespace incognita

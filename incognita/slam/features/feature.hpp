@@ -131,7 +131,7 @@ struct TrackedCamera {
   std::vector<FeatureMatch> matches = {};
   std::vector<RayMatch> ray_matches = {};
   std::vector<DepthParticle> ray_particles = {};  ///< of those, one after the other
-  double median_depth_m = 1;                      ///< distance of the landmarks matched last, or of a new one
+  double median_depth_m = 1;  ///< depth_of_view of the last matches, or that of a new landmark
   /// Prior of the inverse depth of a new landmark. That of the settings may lie far from all depths in view, and the error is
   /// common to all new landmarks: if these are a wall at 0.5 m that is expected at 2 m, translation looks like rotation; if they
   /// are walls at 4 m, hundreds of them make translation, and with it the map, too small.
@@ -163,5 +163,9 @@ Viewpoint viewpoint(const Estimate& estimate, const TrackedCamera& camera);
 /// World position of a landmark, of a ray at its mean depth; nothing at infinity.
 std::optional<Eigen::Vector3d> current_position(const Estimate& estimate, const Landmark& landmark,
                                                 const Feature& feature);
+
+/// Median distance in m of the landmarks matched in this frame; nothing without any. Where the prior of the depth is scaled to it
+/// (`always`), only anchors and points count, whose depth is known: new landmarks would keep their own prior where it is.
+std::optional<double> depth_of_view(const Estimate& estimate, const TrackedCamera& camera);
 
 }  // namespace incognita

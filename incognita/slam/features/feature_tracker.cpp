@@ -128,11 +128,11 @@ void FeatureTracker::expect_depth_of_target(const Estimate& estimate) {
   constexpr double admitted_sigmas = 2;
   const InitializationSettings& s = camera_.settings.initialization;
   const Eigen::Vector3d from = free_camera::position(camera_.view.camera);
-  distances_.clear();
+  std::vector<double> distances;
   for (const auto& [id, feature] : camera_.features)
-    distances_.push_back((estimate.landmarks.at(id).position - from).norm());
-  if (distances_.empty()) return;
-  const double distance_m = median(distances_);
+    distances.push_back((estimate.landmarks.at(id).position - from).norm());
+  if (distances.empty()) return;
+  const double distance_m = median(distances);
   if (1 / distance_m > s.inverse_depth_per_m + admitted_sigmas * s.sigma_inverse_depth_per_m)
     camera_.median_depth_m = distance_m;
 }
@@ -277,7 +277,7 @@ void FeatureTracker::after_correction(const Estimate& estimate, const AnyMotion&
   }
   if (camera_.settings.filter.adapt_sigma_pixel) pixel_noise_.update(estimate, camera_);
   if (sees_) rolling_shutter_.update(estimate, camera_, estimate.bodies[camera_.body].t);
-  update_median_depth();
+  if (const auto depth_m = depth_of_view(estimate, camera_)) camera_.median_depth_m = *depth_m;
   estimate_patch_planes(estimate, camera_);
   const RelocalizationSettings& recognition = camera_.settings.relocalization;
   if (sees_ && (recognition.whole_map || recognition.close_loops))
@@ -315,14 +315,6 @@ void FeatureTracker::take_matches(PoseEvidence evidence, const Estimate& estimat
     match.innovation_cov.diagonal().array() += more_var;
   }
   reject_outliers(estimate);
-}
-
-void FeatureTracker::update_median_depth() {
-  distances_.clear();
-  const Eigen::Vector3d from = free_camera::position(camera_.view.camera);
-  for (const FeatureMatch& match : camera_.matches)
-    if (match.outcome == MatchOutcome::matched) distances_.push_back((match.point - from).norm());
-  if (!distances_.empty()) camera_.median_depth_m = median(distances_);
 }
 
 void FeatureTracker::count_frames() {

@@ -163,7 +163,6 @@ class FeatureTracker {
   bool add_keyframe(Estimate& estimate, const AnyMotion& motion);
   Eigen::Matrix<double, 6, 6> pose_cov(const Estimate& estimate) const;
   void add_new_landmarks_to_keyframe(std::int64_t newest);
-  void update_median_depth();
   LinearizedMeasurement with_lasting(LinearizedMeasurement measurement, const FeatureMatch& match) const;
 
   TrackedCamera camera_;
@@ -182,7 +181,6 @@ class FeatureTracker {
   std::vector<Eigen::Vector3d> small_rays_, predicted_rays_;
   std::optional<CameraState> before_;  ///< when small_before_ was taken
   double before_t_ = 0;                ///< s, the time of that
-  std::vector<double> distances_;      ///< workspace
   bool sees_ = false;
   bool has_map_ = false;  ///< since start_map()
   RandomStream random_;

@@ -101,7 +101,7 @@ void LoopClosure::state(StateArchive& archive) {
 void FeatureTracker::state(StateArchive& archive) {
   auto& [camera, placement, keyframes, moved_estimate, keyframes_are_old, reference_frames, pixel_noise,
          rolling_shutter, relocalization, loop_closure, pyramid, small, small_before, small_rays,
-         predicted_rays, before, before_t, distances, sees, has_map, random] = *this;
+         predicted_rays, before, before_t, sees, has_map, random] = *this;
   archive(camera, keyframes, moved_estimate, keyframes_are_old, reference_frames, pixel_noise,
           rolling_shutter, relocalization, loop_closure, small, small_before, before, before_t, has_map,
           random);

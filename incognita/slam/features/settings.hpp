@@ -172,7 +172,7 @@ struct InitializationSettings {
     setting(
         &S::scale_prior_to_view, "scale_prior_to_view", "", any(),
         "Whether mean and standard deviation of this prior are scaled to the median depth of the matched landmarks: never, "
-        "where that is nearer, or always");
+        "where that is nearer, or always; always counts only landmarks of known depth");
     setting(&S::max_linearity, "max_linearity", "", between(0, 10),
             "Linearity index (Civera et al. 2008) below which an inverse depth becomes a point");
     setting(

@@ -224,6 +224,28 @@ TEST(PlannedMap, SomeLandmarksStandForTheRestOfTheMap) {
   EXPECT_EQ(weights(100), std::vector<double>(7, 1));
 }
 
+/// A view corrects the imagined estimate by few landmarks of the map, but by every anchor.
+TEST(Planner, CountsOnEveryAnchorInView) {
+  Scene scene(20);
+  const auto score_of_staying = [&] {
+    const Comparison comparison{scene};
+    Planner planner({.max_measured = 2, .min_matches = 0});
+    planner.begin(comparison.now(), std::nullopt);
+    planner.choose(comparison.now());
+    return planner.scores()[static_cast<std::size_t>(comparison.actions.stay())];
+  };
+  const double without = score_of_staying();
+  for (const double y : {-0.3, 0.3}) {
+    Landmark anchor{};
+    anchor.fixed = true;
+    anchor.camera = 0;
+    anchor.id = new_id(scene.estimate);
+    anchor.position = Eigen::Vector3d(2, y, 1);
+    scene.estimate.landmarks.emplace(anchor.id, anchor);
+  }
+  EXPECT_GT(score_of_staying(), without + 1);
+}
+
 TEST(Planner, TurnsToWhatIsUnmapped) {
   Scene scene(12);
   for (int i = 0; i < 5; ++i) scene.unmapped.push_back({i, {0.3 * i, 3, 1}});  // to the left

@@ -221,15 +221,23 @@ def judged_rows(results: Results, campaign: str, allowed_lost: int) -> str:
 def compared_sentence(results: Results, campaign: str, other: str) -> str:
     """The main result of such a campaign in words, against one other strategy, e.g. `lawn-mower`."""
     document = results.document(f"{campaign}/campaign.json")
-    plan, rival = document["variants"][0]["measures"], next(v for v in document["variants"] if other in v["name"])["measures"]
+    variants = document["variants"][0], next(v for v in document["variants"] if other in v["name"])
+    plan, rival = (variant["measures"] for variant in variants)
+    until = until_mapped(results.rows(f"{campaign}/runs.csv"))
     pairs = rival[MAPPED]["versus_baseline"]
     more, low, high = (f"{-100 * pairs[key]:.1f}" for key in ("difference", "high", "low"))
+
+    def after(variant: dict) -> str:
+        median_s = until[variant["name"]][0]
+        return f"after {median_s:.0f} s" if math.isfinite(median_s) else "not within 60 s"
 
     def cm(error: str) -> str:
         return " against ".join(f"{100 * of[error]['median']:.1f}" for of in (plan, rival))
 
-    return (f"Over {len(document['seeds'])} rooms, the plan has mapped {100 * plan[MAPPED]['mean']:.0f} % of the surface of the room "
-            f"to 5 cm after 60 s, a sweep in lanes {100 * rival[MAPPED]['mean']:.0f} %: a difference of {more} % (95 % interval {low} to {high}). Its median errors are {cm('ate_m')} cm of the path and {cm('map_error_m')} cm of the map.")
+    return (f"In {len(document['seeds'])} rooms, the plan has mapped 90 % of the surface of the room to 5 cm {after(variants[0])} (median), "
+            f"a sweep in lanes {after(variants[1])}. After 60 s, it has mapped {100 * plan[MAPPED]['mean']:.0f} %, the sweep "
+            f"{100 * rival[MAPPED]['mean']:.0f} %: a difference of {more} % (95 % interval {low} to {high}). Its median errors are "
+            f"{cm('ate_m')} cm of the path and {cm('map_error_m')} cm of the map.")
 
 
 def code_name(variant: str) -> str:

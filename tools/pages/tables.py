@@ -241,9 +241,12 @@ def compared_sentence(results: Results, campaign: str, other: str) -> str:
 
 
 def code_name(variant: str) -> str:
-    """`lawn-mower` of `decision.strategy=lawn-mower decision.max_elevation_rad=0.8`; a scenario as it is has the plan."""
-    name = variant.removeprefix("decision.strategy=").split(" ")[0]
-    return f"`{'plan' if name in ('map-room', 'map-terrain') else name}`" if name else "-"
+    """`lawn-mower`, 0.4 rad/s, of `decision.strategy=lawn-mower decision.max_elevation_rad=0.8 decision.gaze_rate_rad_s=0.4`; a scenario as
+    it is has the plan."""
+    strategy, *settings = variant.removeprefix("decision.strategy=").split(" ")
+    rates = [setting.removeprefix("decision.gaze_rate_rad_s=") for setting in settings if "gaze_rate" in setting]
+    name = f"`{'plan' if strategy in ('map-room', 'map-terrain') else strategy}`" if strategy else "-"
+    return ", ".join([name, *(f"{rate} rad/s" for rate in rates)])
 
 
 def stages(results: Results, folder: str, *names: str) -> str:

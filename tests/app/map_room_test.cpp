@@ -9,9 +9,11 @@
 namespace incognita {
 namespace {
 
-Snapshot end_of_run(const std::string& seed, const std::string& duration_s) {
-  Assembly assembly = assemble(load_scenario(
-      "map-room", std::vector<std::string>{"run.duration_s=" + duration_s, "run.seed=" + seed}));
+Snapshot end_of_run(const std::string& seed, const std::string& duration_s,
+                    const std::string& gaze_rate_rad_s = "0.8") {
+  Assembly assembly = assemble(
+      load_scenario("map-room", std::vector<std::string>{"run.duration_s=" + duration_s, "run.seed=" + seed,
+                                                         "decision.gaze_rate_rad_s=" + gaze_rate_rad_s}));
   Snapshot last;
   run_loop(
       assembly.parts, [&](const Snapshot& s) { last = s; }, [](const Tick&) { return true; });
@@ -39,10 +41,10 @@ double relative_error_of_distance(const Snapshot& snapshot) {
 }
 
 /// The prior of the depth of hundreds of landmarks outweighs the start target, which fixes the scale: with walls expected at 2 m the
-/// mean of these three rooms is -0.020.
+/// mean of these three rooms is -0.014. At 0.8 rad/s it is -0.004.
 TEST(MapRoom, TheMapIsNotTooSmall) {
   double sum = 0;
-  for (const char* seed : {"3", "4", "5"}) sum += relative_error_of_distance(end_of_run(seed, "10"));
+  for (const char* seed : {"3", "4", "5"}) sum += relative_error_of_distance(end_of_run(seed, "10", "0.4"));
   EXPECT_NEAR(sum / 3, 0, 0.01);
 }
 

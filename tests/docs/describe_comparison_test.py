@@ -105,6 +105,7 @@ class Comparison(unittest.TestCase):
         rows = tables.compared_rows(Results(self.folder.parent, {}), self.folder.name).split("\n")
         self.assertEqual(rows[0], "| `plan` | 90.0 | - | 43 | 5 of 5 | 2.0 | - | 1.0 | - | 0 |")
         self.assertIn("| `lawn-mower` | 85.0 | -5.0 (-6.0 to -4.0) | 43 | 3 of 5 | 3.0 |", rows[1])
+        self.assertEqual(tables.code_name("decision.strategy=none decision.gaze_rate_rad_s=0.4"), "`none`, 0.4 rad/s")
         self.assertEqual(rows[2], "| `none` | - | - | - | 0 of 5 | - | - | - | - | 5 |")
 
 

@@ -47,6 +47,11 @@ TEST(CornerChoice, NoneInFlatImages) {
   EXPECT_FALSE(chosen(noisy, t, 20).empty()) << "it is the strength that decides";
 }
 
+TEST(CornerChoice, NoneInImagesSmallerThanAPatchAndItsMargin) {
+  const Tracking t(origin, well_known);
+  for (const int side : {1, 5, 20}) EXPECT_TRUE(chosen(Image(side, side, 128), t, 20).empty()) << side;
+}
+
 TEST(CornerChoice, IsWhereTheEdgesMeet) {
   const auto corners = chosen(one_square(150, 110, 60), Tracking(origin, well_known), 30);
   ASSERT_FALSE(corners.empty());

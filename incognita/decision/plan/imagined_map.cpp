@@ -23,9 +23,8 @@ double log_det_to(const Eigen::Matrix3d& P, double resolution_m) {
 void PlannedMap::take(const Estimate& estimate, const Landmark& landmark, double weight) {
   const auto position = position_of(landmark.form, estimate.belief.mean(landmark.block));
   if (!position || position->position.size() != 3) return;
-  const int row = taken_.empty() ? body_errors_ : taken_.back().row + taken_.back().errors,
-            errors = estimate.belief.chart(landmark.block).tangent();
-  taken_.push_back({landmark.block, row, errors, position->J, position->position, false, weight});
+  const int errors = estimate.belief.chart(landmark.block).tangent();
+  taken_.push_back({landmark.block, rows(), errors, position->J, position->position, false, weight});
 }
 
 void PlannedMap::start(const Estimate& estimate, std::size_t body, std::span<const BlockId> landmarks,
@@ -47,8 +46,7 @@ void PlannedMap::start(const Estimate& estimate, std::size_t body, std::span<con
   for (std::size_t i = 0; i < count; ++i)
     take(estimate, *rest[i * rest.size() / count],
          static_cast<double>(rest.size()) / static_cast<double>(count));
-  const int rows = taken_.empty() ? body_errors_ : taken_.back().row + taken_.back().errors;
-  covariance_.resize(rows, rows);
+  covariance_.resize(rows(), rows());
   covariance_.topLeftCorner(body_errors_, body_errors_) = belief.covariance(of_body);
   for (std::size_t i = 0; i < taken_.size(); ++i) {
     const Taken& a = taken_[i];

@@ -22,8 +22,8 @@ class StateArchive;
 class PlannedMap {
  public:
   /// Takes the body and those landmarks of the map. `expected_var_m2`: variance of each coordinate of an expected landmark.
-  /// `others`: of the rest of the map at most that many, evenly, which stand for all of it: an error that the whole map shares counts
-  /// for each of its landmarks.
+  /// `others`, 0 or more: of the other point landmarks at most that many, evenly, which stand for all of them, since an error that
+  /// the whole map shares counts for each of its landmarks; ours.
   void start(const Estimate& estimate, std::size_t body, std::span<const BlockId> landmarks,
              double expected_var_m2, int others = 0);
 
@@ -50,10 +50,11 @@ class PlannedMap {
   void state(StateArchive& archive);
 
  private:
+  void take(const Estimate& estimate, const Landmark& landmark, double weight);
+  int rows() const { return taken_.empty() ? body_errors_ : taken_.back().row + taken_.back().errors; }
+
   int body_errors_ = 0;
   double expected_var_m2_ = 0;
-  void take(const Estimate& estimate, const Landmark& landmark, double weight);
-
   std::vector<Taken> taken_;
   Eigen::MatrixXd covariance_;
 };

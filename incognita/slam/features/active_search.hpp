@@ -7,9 +7,9 @@
 namespace incognita {
 
 /// Searches for the predicted features in the order of decreasing expected information gain (the most uncertain first,
-/// unless they hardly matched of late; anchors before them with SearchSettings::anchors_first), at most `max_measurements` of them, each inside its own ellipse. Fills
-/// measured, correlation and outcome (not_found or matched, before outlier rejection) of the camera's matches, and
-/// counts the features that were searched for.
+/// unless they hardly matched of late; with SearchSettings::anchors_first, anchors that match more often than not before all
+/// others), at most `max_measurements` of them, each inside its own ellipse. Fills measured, correlation and outcome (not_found
+/// or matched, before outlier rejection) of the camera's matches, and counts the features that were searched for.
 void active_search(const ImagePyramid& image, TrackedCamera& camera);
 
 /// Sets the outcome of matches that are inconsistent with the others to `outlier`, or to `unconfirmed`, and counts the

@@ -34,10 +34,10 @@ Viewpoint viewpoint(const Estimate& e, const TrackedCamera& c, const AnyMotion& 
 DepthPrior TrackedCamera::depth_prior() const {
   const InitializationSettings& s = settings.initialization;
   using Scale = InitializationSettings::ScalePrior;
+  if (s.scale_prior_to_view == Scale::never) return {s.inverse_depth_per_m, s.sigma_inverse_depth_per_m};
   // Where all that is matched is far, something nearer may still come into view
   const double least = s.scale_prior_to_view == Scale::always ? 0.3 : 1;
-  const double nearer = 1 / (median_depth_m * s.inverse_depth_per_m);
-  const double scale = s.scale_prior_to_view == Scale::never ? 1 : std::max(least, nearer);
+  const double scale = std::max(least, 1 / (median_depth_m * s.inverse_depth_per_m));
   return {scale * s.inverse_depth_per_m, scale * s.sigma_inverse_depth_per_m};
 }
 

@@ -154,9 +154,10 @@ namespace {
 
 /// The strongest corner of each cell of a grid over the image that holds no landmark, the strongest first.
 std::vector<Corner> corners_of_cells(const Image& image, const Occupied& taken, int patch, int side) {
+  const int rim = patch + 2, right = image.width() - rim, bottom = image.height() - rim;
+  if (right <= rim || bottom <= rim) return {};
   thread_local CornerMap map;
   map.assign(image, patch);
-  const int rim = patch + 2, right = image.width() - rim, bottom = image.height() - rim;
   std::vector<Corner> corners;
   for (int v = rim; v < bottom; v += side)
     for (int u = rim; u < right; u += side) {

@@ -18,7 +18,7 @@ inline Sets thesis_features(const std::string& sigma_pixel_px) {
           "landmark_initialization.selection=random-box",
           "landmark_initialization.max_new_per_frame=1",
           "landmark_initialization.min_corner_strength=30",
-          "landmark_initialization.scale_prior_to_view=false",
+          "landmark_initialization.scale_prior_to_view=never",
           "landmark_initialization.second_order=false",
           "map.wanted_visible=12",
           "map.max_landmarks=200",

@@ -424,7 +424,7 @@ FeatureTracker::NewLandmarks FeatureTracker::new_landmarks(const Estimate& estim
 
 /// Landmarks where the surface in view has none nearby, a few in each frame; their number.
 int FeatureTracker::fill_gaps(Estimate& estimate) {
-  constexpr int most_per_frame = 2;
+  constexpr int most_per_frame = 4;
   const double gap_m = camera_.settings.map.max_gap_m;
   if (gap_m == 0) return 0;
   const int possible = std::min(

@@ -94,10 +94,20 @@ Occupied occupied(const Estimate& estimate, const TrackedCamera& tracked) {
 
 }  // namespace
 
+namespace {
+
+/// Side of the textures, px: as much as aligning a patch needs at the greatest change of distance, map.max_scale.
+int texture_side(const CameraSlamSettings& settings) {
+  const double half = settings.search.patch_size_px / 2 + 2.5;
+  return 2 * static_cast<int>(std::ceil(half * std::min(settings.map.max_scale, 4.0))) + 1;
+}
+
+}  // namespace
+
 std::optional<PatchView> cut_view(const ImagePyramid& image, const Eigen::Vector2d& pixel,
                                   const CameraState& from, const Camera& camera,
                                   const CameraSlamSettings& settings) {
-  const int size = settings.search.patch_size_px, side = 2 * size + 5, core = size / 2 + 1;
+  const int side = texture_side(settings), core = settings.search.patch_size_px / 2 + 1;
   auto texture = cut_texture(image.image(), pixel, side, core);
   const auto ray = camera.unproject(pixel);
   if (!texture || !ray) return std::nullopt;

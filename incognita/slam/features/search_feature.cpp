@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "incognita/vision/align_patch.hpp"
+
 namespace incognita {
 namespace {
 
@@ -42,6 +44,13 @@ bool is_inside(const Eigen::Vector2d& pixel, const Ellipse& ellipse) {
   return off.dot(ellipse.covariance.inverse() * off) <= ellipse.gate_sigmas * ellipse.gate_sigmas;
 }
 
+/// Whether one of the four pixels around a position is inside: alignment may move a match by less than a pixel out of the ellipse.
+bool is_beside(const Eigen::Vector2d& position, const Ellipse& ellipse) {
+  const Eigen::Vector2d first = position.array().floor(), last = position.array().ceil();
+  return is_inside(first, ellipse) || is_inside(last, ellipse) || is_inside({first.x(), last.y()}, ellipse) ||
+         is_inside({last.x(), first.y()}, ellipse);
+}
+
 /// The finest level at which the ellipse is small.
 int level_of(double half_axis_px, int levels) {
   int level = 0;
@@ -67,7 +76,7 @@ class Searcher {
   /// From `level` down to 0; nothing when the refined position lies outside the ellipse.
   std::optional<Found> search_down(const Ellipse& ellipse, int level) {
     std::optional<Found> found = search_level(ellipse, level);
-    if (level == 0) return found;
+    if (level == 0) return aligned(found, ellipse);
     while (found && level > 0) {
       const Eigen::Vector2d pixel = found->pixel * static_cast<double>(1 << level);
       --level;
@@ -75,6 +84,16 @@ class Searcher {
     }
     if (!found || !is_inside(found->pixel.array().round().matrix(), with_nearest_pixels(ellipse)))
       return std::nullopt;
+    return aligned(found, ellipse);
+  }
+
+  /// A match at level 0 at the position where the patch fits best, a fraction of a pixel from the peak of the correlation. As it
+  /// is if that cannot be found, or lies outside the ellipse in which the match was searched.
+  std::optional<Found> aligned(std::optional<Found> found, const Ellipse& ellipse) const {
+    if (!found || found->correlation < settings_.min_correlation) return found;
+    const auto at = align_patch(pyramid_.image(), view_.texture, match_.texture_from_view,
+                                settings_.patch_size_px, found->pixel);
+    if (at && is_beside(*at, with_nearest_pixels(ellipse))) found->pixel = *at;
     return found;
   }
 
@@ -106,8 +125,9 @@ std::optional<Found> search_feature(CorrelationSheet& sheet, const ImagePyramid&
   const double guided_px = guided_share * camera.camera.width();
   const double size_px = half_axis(whole, settings.max_half_axis_px);
   if (const auto guided = guided_pixel(match, camera); guided && size_px > guided_px) {
-    const auto found = searcher.search_level(around(*guided, guided_px), 0);
-    if (found && found->correlation >= settings.min_correlation) return found;
+    const Ellipse near_guided = around(*guided, guided_px);
+    const auto found = searcher.search_level(near_guided, 0);
+    if (found && found->correlation >= settings.min_correlation) return searcher.aligned(found, near_guided);
   }
   // Patches at the border of their image have no coarse levels
   const int levels = std::min(pyramid.levels(), 1 + static_cast<int>(view.coarse.size()));

@@ -3,7 +3,7 @@
 // A small search ellipse is searched whole at full resolution, as in thesis C.2. For a large one most of the ellipse is
 // improbable once the whole image has been aligned with the previous one: the neighborhood of the aligned position is
 // searched first. Without a match there, the whole ellipse is searched at the resolution at which it is small, and what is
-// found is refined level by level.
+// found is refined level by level. Last, the patch is aligned with the image at a fraction of a pixel.
 #pragma once
 
 #include <optional>

@@ -115,7 +115,8 @@ TEST(ActiveSearch, FindsThePatchInsideItsEllipseAndNowhereElse) {
     outside.add(30, sigma_px, 15 * way);
     inside.search();
     ASSERT_EQ(inside.outcome(0), MatchOutcome::matched) << way.transpose();
-    EXPECT_LT((*inside.match_of(0).measured - inside.truth(30)).norm(), 0.3);
+    // The patch in its own image: the peak of the correlation alone is wrong by up to 0.1 px
+    EXPECT_LT((*inside.match_of(0).measured - inside.truth(30)).norm(), 0.02);
     outside.search();
     EXPECT_EQ(outside.outcome(0), MatchOutcome::not_found) << way.transpose();
     EXPECT_FALSE(outside.match_of(0).measured);

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
+#include "incognita/math/random.hpp"
+#include "incognita/vision/align_patch.hpp"
+#include "tests/vision/painted_plane.hpp"
 #include "tests/vision/pattern.hpp"
 
 namespace incognita {
@@ -61,6 +65,39 @@ TEST(Warp, FailsForAUniformPatch) {
   const auto texture = cut_texture(Image(60, 50, 77), Vector2d(30, 20), 15, 5);
   ASSERT_TRUE(texture);
   EXPECT_FALSE(warp(*texture, Matrix2d::Identity(), 11));
+}
+
+TEST(Warp, FailsIfItIsNotFinite) {
+  const auto texture = cut_texture(Pattern(3, 35).drawn(60, 50), Vector2d(30, 20), 15, 5);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double scale : {1e10, 1e300, nan, -nan})
+    EXPECT_FALSE(warp(*texture, scale * Matrix2d::Identity(), 11)) << scale;
+}
+
+/// Rms distance, px, at which the warped patch aligns with another view of a corner, whose edges are turned by about `angle_rad`.
+double distance_from_corner(const Matrix2d& texture_from_view, double angle_rad) {
+  RandomStream random(4, "corners");
+  const auto anywhere = [&] { return Vector2d(random.uniform(29.5, 30.5), random.uniform(29.5, 30.5)); };
+  constexpr int count = 40;
+  double squares = 0;
+  for (int i = 0; i < count; ++i) {
+    const Vector2d then = anywhere(), now = anywhere();
+    const DarkCorner corner{angle_rad + random.uniform(-0.15, 0.15)};
+    const auto texture = cut_texture(drawn(corner, Matrix2d::Identity(), then), then, 39, 5);
+    const Image image = drawn(corner, texture_from_view, now);
+    squares += (align_patch(image, *texture, texture_from_view, 11, now).value() - now).squaredNorm();
+  }
+  return std::sqrt(squares / count);
+}
+
+TEST(Warp, ACornerIsFoundWhereItIsInAViewFromFarther) {
+  EXPECT_LT(distance_from_corner(2 * Matrix2d::Identity(), 0), 0.02);
+}
+
+TEST(Warp, ACornerIsFoundWhereItIsInAnObliqueView) {
+  Matrix2d oblique;  // foreshortened along one diagonal
+  oblique << 1.7, 0.7, 0.7, 1.7;
+  EXPECT_LT(distance_from_corner(oblique, 0.8), 0.03);
 }
 
 TEST(CutTexture, KeepsThePositionAtTheImageEdge) {

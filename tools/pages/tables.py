@@ -35,6 +35,22 @@ def verdict_row(results: Results, folder: str) -> str:
             f"{verdicts.count('conservative')} |")
 
 
+def noise_cells(results: Results, campaign: str) -> str:
+    """Cells of a camera in the rendered room, over the seeds of a campaign: NEES, NIS, position error, frames beyond 3 sigma, outliers,
+    and frames in which it was lost, those of runs that failed too."""
+    def middle(measure: str, scale: float = 1) -> str:
+        return f"{scale * statistics.median(results.per_seed(campaign, measure).values()):.2f}"
+
+    def total(measure: str) -> float:
+        return sum(results.per_seed(campaign, measure).values())
+
+    beyond = total("overconfident_frames") / total("frames")
+    outliers = statistics.fmean(results.per_seed(campaign, "consistency.outlier_share").values())
+    lost = sum(int(row["lost_frames"]) for row in results.rows(f"{campaign}/runs.csv") if row["lost_frames"] not in ("", "nan"))
+    return (f"{middle('mean_nees')} ({range_of(results, campaign, 'mean_nees')}) | {middle('mean_nis')} | {middle('ate_m', 1000)} | "
+            f"{percent(beyond, 2)} | {percent(outliers, 1)} | {lost} |")
+
+
 def first(results: Results, seeds: int, values: dict[int, float]) -> list[float]:
     """The values of seeds 1 to `seeds`."""
     return [value for seed, value in values.items() if seed <= seeds]

@@ -101,12 +101,59 @@ class Comparison(unittest.TestCase):
         (self.folder / "campaign.json").unlink()
         self.assertEqual(self.said()[0], 1)
 
+    def two_rates(self):
+        """The strategy of the thesis at two rates: the slower one maps more, the faster one is sooner."""
+        self.slow, self.fast = (f"decision.strategy=mutual-information decision.max_elevation_rad=0.8 decision.gaze_rate_rad_s={rate}"
+                                for rate in ("0.6", "0.8"))
+        document = json.loads((self.folder / "campaign.json").read_text())
+        plan, sweep, standing = document["variants"]
+        rivals = [json.loads(json.dumps(sweep)) | {"name": name} for name in (self.slow, self.fast)]
+        rivals[0]["measures"]["exploration.mapped_60_s"]["median"] = 0.88
+        self.put("campaign.json", json.dumps(document | {"variants": [plan, *rivals]}))
+        columns = ("exploration.mapped_60_s", "exploration.t_90_mapped_s", "map_error_m", "ate_m", "exploration.diverged")
+        runs = f"variant,seed,status,{','.join(columns)}\n"
+        for name, values in (("map-room", "0.9,20,0.02,0.01,0"), (self.slow, "0.88,40,0.03,0.01,0"), (self.fast, "0.85,25,0.04,0.02,0")):
+            runs += "".join(f"{name},{seed},done,{values}\n" for seed in range(1, 6))
+        self.put("runs.csv", runs)
+        self.put("timings.csv", "variant,seed,timing_ms.decision.p99,timing_ms.frame.p99\n"
+                 + "".join(f"{name},1,{ms},20\n" for name, ms in (("map-room", 5), (self.slow, 6), (self.fast, 7))))
+
+    def test_a_strategy_at_two_rates_is_two_strategies(self):
+        self.two_rates()
+        results = Results(self.folder.parent, {})
+        for rows in (tables.compared_rows(results, self.folder.name), tables.compared_summary(results, self.folder.name)):
+            self.assertEqual([row.split(" | ")[0] for row in rows.split("\n")],
+                             ["| `plan`", "| `mutual-information`, 0.6 rad/s", "| `mutual-information`, 0.8 rad/s"])
+        judged = [row.split(" | ")[1] for row in tables.judged_rows(results, self.folder.name, 1).split("\n")]
+        slow, fast = "`mutual-information`, 0.6 rad/s", "`mutual-information`, 0.8 rad/s"
+        self.assertEqual(judged, [slow, fast, slow, slow, "-"])
+        said = self.said()[1]
+        for words in ("(thesis) at 0.6 rad/s: 88 %", "(thesis) at 0.6 rad/s: 6.0 ms", "(thesis) at 0.8 rad/s: 7.0 ms",
+                      "against the one that maps most, the next action by mutual information (thesis) at 0.6 rad/s:"):
+            self.assertIn(words, said)
+
+    def test_rows_of_the_summary(self):
+        rows = tables.compared_summary(Results(self.folder.parent, {}), self.folder.name).split("\n")
+        self.assertEqual(rows, ["| `plan` | 90.0 | 43 | 2.0 | 1.0 | 0 |", "| `lawn-mower` | 85.0 | 43 | 3.0 | 2.0 | 0 |",
+                                "| `none` | - | > 60 | - | - | 5 |"])
+
+    def test_the_baseline_has_the_first_row(self):
+        document = json.loads((self.folder / "campaign.json").read_text())
+        self.put("campaign.json", json.dumps(document | {"variants": document["variants"][::-1]}))
+        rows = tables.compared_summary(Results(self.folder.parent, {}), self.folder.name).split("\n")
+        self.assertIn("`plan`", rows[0])
+
+    def test_names_of_variants(self):
+        for name, code in (("map-terrain", "`plan`"), ("decision.strategy=none decision.gaze_rate_rad_s=0.4", "`none`, 0.4 rad/s"),
+                           ("decision.strategy=frontier", "`frontier`"), ("decision.gaze_rate_rad_s=0.4", "`decision.gaze_rate_rad_s=0.4`"),
+                           ("", "-")):
+            self.assertEqual(tables.code_name(name), code)
+
     def test_rows_of_the_page(self):
         rows = tables.compared_rows(Results(self.folder.parent, {}), self.folder.name).split("\n")
         self.assertEqual(rows[0], "| `plan` | 90.0 | - | 43 | 5 of 5 | 2.0 | - | 1.0 | - | 0 |")
         self.assertIn("| `lawn-mower` | 85.0 | -5.0 (-6.0 to -4.0) | 43 | 3 of 5 | 3.0 |", rows[1])
-        self.assertEqual(tables.code_name("decision.strategy=none decision.gaze_rate_rad_s=0.4"), "`none`, 0.4 rad/s")
-        self.assertEqual(rows[2], "| `none` | - | - | - | 0 of 5 | - | - | - | - | 5 |")
+        self.assertEqual(rows[2], "| `none` | - | - | > 60 | 0 of 5 | - | - | - | - | 5 |")
 
 
 def runs(variant: str, share: float, until: list[float], map_error: float, diverged: int = 0) -> list[dict]:

@@ -192,5 +192,21 @@ class Pictures(unittest.TestCase):
             self.assertAlmostEqual(mean_difference(a, b), 51 / 255 / 15)
 
 
+class Tables(unittest.TestCase):
+    def test_noise_of_the_room(self):
+        """Medians of the runs that are done; lost frames of all."""
+        sys.path.insert(0, str(TOOL.parent))
+        from pages import tables
+        from pages.results import Results
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "room").mkdir()
+            columns = "variant,seed,status,mean_nees,mean_nis,ate_m,overconfident_frames,frames,consistency.outlier_share,lost_frames"
+            (Path(folder) / "room" / "runs.csv").write_text(
+                f"{columns}\nroom,1,done,0.9,0.7,0.001,0,1000,0.01,0\nroom,2,done,1.1,0.9,0.002,2,1000,0.03,5\n"
+                "room,3,failed,9,9,9,9,1000,0.9,7\nroom,4,failed,nan,nan,nan,nan,nan,nan,nan\n")
+            self.assertEqual(tables.noise_cells(Results(Path(folder), {}), "room"),
+                             "1.00 (0.90 to 1.10) | 0.80 | 1.50 | 0.10 % | 2.0 % | 12 |")
+
+
 if __name__ == "__main__":
     unittest.main()

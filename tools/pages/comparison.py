@@ -7,6 +7,16 @@ from dataclasses import dataclass
 
 MAPPED, UNTIL, MAP_ERROR, PATH_ERROR = "exploration.mapped_60_s", "exploration.t_90_mapped_s", "map_error_m", "ate_m"
 RATIO_OF_ERRORS = 1.25  # up to that an error is no larger
+SCENARIOS_WITH_PLAN = ("map-room", "map-terrain")
+
+
+def strategy_and_rate(variant: str) -> tuple[str, str]:
+    """`lawn-mower` and `0.4`, rad/s, of `decision.strategy=lawn-mower decision.gaze_rate_rad_s=0.4`. The rate is "" where the variant
+    does not set it; a scenario as it is has the plan; a variant that sets no strategy is named by its settings."""
+    settings = dict(word.partition("=")[::2] for word in variant.split())
+    if "decision.strategy" in settings:
+        return settings["decision.strategy"], settings.get("decision.gaze_rate_rad_s", "")
+    return "plan" if variant in SCENARIOS_WITH_PLAN else variant, ""
 
 
 def until_mapped(rows: list[dict]) -> dict[str, tuple[float, int, int]]:

@@ -7,7 +7,7 @@ import statistics
 import tomllib
 from functools import partial
 
-from pages.comparison import MAPPED, judge, until_mapped
+from pages.comparison import MAP_ERROR, MAPPED, PATH_ERROR, judge, strategy_and_rate, until_mapped
 from pages.results import Results, percent
 
 
@@ -33,6 +33,22 @@ def verdict_row(results: Results, folder: str) -> str:
     name = folder.split("/")[-1].removesuffix("-40")
     return (f"| `{name}` | {len(done)} | {spread('nees')} | {spread('nis')} | {verdicts.count('overconfident')} | "
             f"{verdicts.count('conservative')} |")
+
+
+def noise_cells(results: Results, campaign: str) -> str:
+    """Cells of a camera in the rendered room, over the seeds of a campaign: NEES, NIS, position error, frames beyond 3 sigma, outliers,
+    and frames in which it was lost, those of runs that failed too."""
+    def middle(measure: str, scale: float = 1) -> str:
+        return f"{scale * statistics.median(results.per_seed(campaign, measure).values()):.2f}"
+
+    def total(measure: str) -> float:
+        return sum(results.per_seed(campaign, measure).values())
+
+    beyond = total("overconfident_frames") / total("frames")
+    outliers = statistics.fmean(results.per_seed(campaign, "consistency.outlier_share").values())
+    lost = sum(int(row["lost_frames"]) for row in results.rows(f"{campaign}/runs.csv") if row["lost_frames"] not in ("", "nan"))
+    return (f"{middle('mean_nees')} ({range_of(results, campaign, 'mean_nees')}) | {middle('mean_nis')} | {middle('ate_m', 1000)} | "
+            f"{percent(beyond, 2)} | {percent(outliers, 1)} | {lost} |")
 
 
 def first(results: Results, seeds: int, values: dict[int, float]) -> list[float]:
@@ -192,21 +208,38 @@ def minus_the_baseline(results: Results, variant: dict, measure: str, scale: flo
     return f"{difference} ({low} to {high})"
 
 
+def cells_of(results: Results, variant: dict, until: tuple[float, int, int]) -> dict[str, str]:
+    """The cells of a variant in the tables of a comparison, by column: errors in cm, shares in percent, differences from the baseline."""
+    median_s, reached, runs = until
+    of = variant["measures"]
+    diverged = round((of["exploration.diverged"]["mean"] or 0) * of["exploration.diverged"]["n"]) + variant["failed"]
+    cells = {"strategy": code_name(variant["name"]), "mapped": number(results, of[MAPPED]["mean"], 100),
+             "mapped, difference": minus_the_baseline(results, variant, MAPPED, 100),
+             "until 90 %": "> 60" if math.isinf(median_s) else f"{median_s:.0f}", "rooms": f"{reached} of {runs}"}
+    for error in (MAP_ERROR, PATH_ERROR):
+        cells[error] = number(results, of[error]["median"], 100)
+        cells[f"{error}, difference"] = minus_the_baseline(results, variant, error, 100)
+    return cells | {"diverged": str(diverged)}
+
+
+def rows_of_cells(results: Results, campaign: str, columns: tuple[str, ...] | None = None) -> str:
+    """Rows of a table of a campaign of tools/compare-strategies, one per variant, the baseline first; all columns unless some are
+    named."""
+    document, until = results.document(f"{campaign}/campaign.json"), until_mapped(results.rows(f"{campaign}/runs.csv"))
+    variants = sorted(document["variants"], key=lambda variant: variant["name"] != document["baseline"])
+    rows = (cells_of(results, variant, until[variant["name"]]) for variant in variants)
+    return "\n".join(f"| {' | '.join(row[column] for column in columns or row)} |" for row in rows)
+
+
 def compared_rows(results: Results, campaign: str) -> str:
-    """A campaign of tools/compare-strategies, a row per variant: share mapped after 60 s, and minus that of the baseline; median time
-    until 90 %, and in how many rooms; errors of map and path, medians, and minus those of the baseline; diverged or failed."""
-    rows, until = [], until_mapped(results.rows(f"{campaign}/runs.csv"))
-    for variant in results.document(f"{campaign}/campaign.json")["variants"]:
-        median_s, reached, runs = until[variant["name"]]
-        of = variant["measures"]
-        diverged = round((of["exploration.diverged"]["mean"] or 0) * of["exploration.diverged"]["n"]) + variant["failed"]
-        cells = [code_name(variant["name"]), number(results, of["exploration.mapped_60_s"]["mean"], 100),
-                 minus_the_baseline(results, variant, "exploration.mapped_60_s", 100),
-                 "-" if math.isinf(median_s) else f"{median_s:.0f}", f"{reached} of {runs}"]
-        for error in ("map_error_m", "ate_m"):
-            cells += [number(results, of[error]["median"], 100), minus_the_baseline(results, variant, error, 100)]
-        rows.append("| " + " | ".join(cells) + f" | {diverged} |")
-    return "\n".join(rows)
+    """Of each variant: share mapped after 60 s, and minus that of the baseline; median time until 90 %, and in how many rooms; errors of
+    map and path, medians, and minus those of the baseline; diverged or failed."""
+    return rows_of_cells(results, campaign)
+
+
+def compared_summary(results: Results, campaign: str) -> str:
+    """The same without the differences and the number of rooms."""
+    return rows_of_cells(results, campaign, ("strategy", "mapped", "until 90 %", MAP_ERROR, PATH_ERROR, "diverged"))
 
 
 def judged_rows(results: Results, campaign: str, allowed_lost: int) -> str:
@@ -218,35 +251,10 @@ def judged_rows(results: Results, campaign: str, allowed_lost: int) -> str:
     return "\n".join(f"| {j.goal} | {code_name(j.against)} | {j.measured} | {j.met} |" for j in judged)
 
 
-def compared_sentence(results: Results, campaign: str, other: str) -> str:
-    """The main result of such a campaign in words, against one other strategy, e.g. `lawn-mower`."""
-    document = results.document(f"{campaign}/campaign.json")
-    variants = document["variants"][0], next(v for v in document["variants"] if other in v["name"])
-    plan, rival = (variant["measures"] for variant in variants)
-    until = until_mapped(results.rows(f"{campaign}/runs.csv"))
-    pairs = rival[MAPPED]["versus_baseline"]
-    more, low, high = (f"{-100 * pairs[key]:.1f}" for key in ("difference", "high", "low"))
-
-    def after(variant: dict) -> str:
-        median_s = until[variant["name"]][0]
-        return f"after {median_s:.0f} s" if math.isfinite(median_s) else "not within 60 s"
-
-    def cm(error: str) -> str:
-        return " against ".join(f"{100 * of[error]['median']:.1f}" for of in (plan, rival))
-
-    return (f"In {len(document['seeds'])} rooms, the plan has mapped 90 % of the surface of the room to 5 cm {after(variants[0])} (median), "
-            f"a sweep in lanes {after(variants[1])}. After 60 s, it has mapped {100 * plan[MAPPED]['mean']:.0f} %, the sweep "
-            f"{100 * rival[MAPPED]['mean']:.0f} %: a difference of {more} % (95 % interval {low} to {high}). Its median errors are "
-            f"{cm('ate_m')} cm of the path and {cm('map_error_m')} cm of the map.")
-
-
 def code_name(variant: str) -> str:
-    """`lawn-mower`, 0.4 rad/s, of `decision.strategy=lawn-mower decision.max_elevation_rad=0.8 decision.gaze_rate_rad_s=0.4`; a scenario as
-    it is has the plan."""
-    strategy, *settings = variant.removeprefix("decision.strategy=").split(" ")
-    rates = [setting.removeprefix("decision.gaze_rate_rad_s=") for setting in settings if "gaze_rate" in setting]
-    name = f"`{'plan' if strategy in ('map-room', 'map-terrain') else strategy}`" if strategy else "-"
-    return ", ".join([name, *(f"{rate} rad/s" for rate in rates)])
+    """`lawn-mower`, 0.4 rad/s, of `decision.strategy=lawn-mower decision.max_elevation_rad=0.8 decision.gaze_rate_rad_s=0.4`."""
+    strategy, rate = strategy_and_rate(variant)
+    return "-" if not strategy else f"`{strategy}`, {rate} rad/s" if rate else f"`{strategy}`"
 
 
 def stages(results: Results, folder: str, *names: str) -> str:

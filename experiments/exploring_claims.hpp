@@ -28,8 +28,8 @@ const std::vector<Strategy>& baselines();
 const std::vector<Strategy>& driving();
 
 /// The claims that `ours` leaves less entropy than each of the rivals (`ID-entropy`), and that it has the
-/// smaller position error (`ID-errors`). Either holds on the condition that it is compared with some of
-/// them if it is shown for these and refuted for others. `who` begins the statements.
+/// smaller position error (`ID-errors`). Either holds on the condition that it is less than some of them
+/// if it is shown for these and refuted for others; the condition names all. `who` begins the statements.
 std::vector<Claim> against(const Common& common, const std::string& who, const Runs& ours,
                            const std::vector<Runs>& rivals);
 

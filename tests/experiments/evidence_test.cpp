@@ -79,10 +79,21 @@ TEST(Evidence, ReasonsStayOnlyWithVerdictsThatNeedThem) {
   EXPECT_EQ(assessed(claim, false, in_truth(true)).finding, Finding::does_not_hold);
   EXPECT_EQ(assessed(claim, false, as_corrected(false)).finding, Finding::does_not_hold);
   EXPECT_EQ(assessed(claim, false).finding, Finding::does_not_hold);
-  EXPECT_EQ(assessed(claim, false).why, "because");
+  EXPECT_EQ(assessed(claim, false, in_truth(true)).why, "because");
   claim.why.clear();
+  EXPECT_EQ(assessed(claim, false, in_truth(true)).why, "not investigated");
   EXPECT_EQ(assessed(claim, false).why, "not investigated");
   EXPECT_EQ(assessed(claim, true).why, "");
+}
+
+TEST(Evidence, AReasonThatIsNotShownIsNotPrinted) {
+  Claim claim;
+  claim.why = "because";
+  EXPECT_EQ(assessed(claim, false).why, "not investigated");
+  EXPECT_EQ(assessed(claim, false, in_truth(false)).why, "not investigated");
+  EXPECT_EQ(assessed(claim, false, as_corrected(false)).why, "not investigated");
+  EXPECT_EQ(assessed(claim, false, in_truth(Answer::undecided)).why,
+            "not known: whether it is as was tested, the interval leaves open");
 }
 
 TEST(Evidence, NotSignificantIsNotFalse) {

@@ -118,24 +118,28 @@ Claim lower_at_the_14th(const Common& common, const std::vector<Runs>& runs) {
       all_shown(entropy));
 }
 
+/// Mean times within a run (restricted means): all rooms count, whether 14 were located in them or not.
 Claim later_14th(const Common& common, const std::vector<Runs>& runs) {
-  const auto at = [](const Run& run) { return run.located_at_s(14).value_or(std::nan("")); };
   const std::vector<Comparison> time =
-      third_less(runs, at, "time of the 14th of (iii) less that of", "s", claimed_above);
-  std::string medians;
-  for (const Runs& one : runs)
-    medians +=
-        fmt::format("{}{}", medians.empty() ? "" : ", ", decimals(median_of(each(one, time_of_the_14th)), 1));
-  return assessed(common.id + "-14th-time", common.place + ", Figure 6.4",
-                  "Gaze by (6.8) takes longer to locate 14 landmarks than a constant rate and than mutual "
-                  "information, " +
-                      common.world,
-                  {.rule = Rule::superiority,
-                   .printed = "19, 18 and 30 s",
-                   .measured = {"medians {} s; in rooms where both located 14: {}", medians, in_words(time)},
-                   .number = deciding(time),
-                   .seeds = less(each(runs[2], at), each(runs[0], at)).size()},
-                  all_shown(time));
+      third_less(runs, time_until_the_14th, "time until the 14th of (iii) less that of", "s", claimed_above);
+  std::vector<std::string> medians;
+  std::vector<int> without;
+  for (const Runs& one : runs) {
+    medians.push_back(decimals(median_of(each(one, time_until_the_14th)), 1));
+    without.push_back(runs_without_14(one));
+  }
+  return assessed(
+      common.id + "-14th-time", common.place + ", Figure 6.4",
+      "Gaze by (6.8) takes longer to locate 14 landmarks than a constant rate and than mutual information: a longer time "
+      "within a run, in the mean, where a run that does not locate 14 counts with its end, " +
+          common.world,
+      {.rule = Rule::superiority,
+       .printed = "19, 18 and 30 s",
+       .measured = {"medians {} s; not located until the end in {} of {} rooms; {}", fmt::join(medians, ", "),
+                    fmt::join(without, ", "), runs[2].size(), in_words(time)},
+       .number = deciding(time),
+       .seeds = runs[2].size()},
+      all_shown(time));
 }
 
 Claim fewer_landmarks(const Common& common, const std::vector<Runs>& runs) {

@@ -211,7 +211,8 @@ Claim inside_its_bounds(const Common& common, const std::string& place, const Ru
   const Interval inside = bootstrap_mean(each(runs, share_inside_2_sigma));
   return assessed(
       common.id + "-bounds", place,
-      "The errors of position are inside their 2 sigma bounds (90 % of them or more), " + common.world,
+      fmt::format("The errors of position are inside their 2 sigma bounds (90 % of them or more): {}, {}",
+                  runs.name, common.world),
       {.rule = Rule::coverage,
        .measured = {"{}, axis by axis; median NEES of a run {}", text(inside),
                     decimals(median_known(each(runs, &Run::nees)).value, 2)},
@@ -234,17 +235,16 @@ Claim moves_across(const Common& common, const Runs& runs) {
       is_above(share, 2.0 / 3));
 }
 
-Claim backs_away(const Common& common, const std::string& start, const Runs& runs) {
+Claim backs_away(const Common& common, const Runs& runs) {
   const Interval share =
       bootstrap_mean(less(each(runs, share_backwards), std::vector<double>(runs.size(), 0)));
-  return assessed(
-      common.id + "-backwards", common.place,
-      "The vehicle drives more than half of its path backward, starting " + start + ", " + common.world,
-      {.rule = Rule::superiority,
-       .measured = {"share of the path {}", text(share)},
-       .number = ClaimNumber{"share of the path that is driven backward", share},
-       .seeds = runs.size()},
-      is_above(share, 0.5));
+  return assessed(common.id + "-backwards", common.place,
+                  "The vehicle drives more than half of its path backward, " + common.world,
+                  {.rule = Rule::superiority,
+                   .measured = {"share of the path {}", text(share)},
+                   .number = ClaimNumber{"share of the path that is driven backward", share},
+                   .seeds = runs.size()},
+                  is_above(share, 0.5));
 }
 
 Claim accelerates(const Common& common, const Runs& runs) {

@@ -54,6 +54,10 @@ Answer is_below(const Interval& interval, double bound);
 /// That the quantity is within `margin` of `value`; margin > 0.
 Answer agrees(const Interval& interval, double value, double margin);
 
+/// That a mean NEES over its degrees of freedom is 1: the one margin of consistency, in all chapters.
+inline constexpr double nees_margin = 0.2;
+inline Answer is_consistent(const Interval& nees) { return agrees(nees, 1, nees_margin); }
+
 /// That the quantity is not exactly `value`: never refuted, as an interval always leaves some difference.
 Answer differs(const Interval& interval, double value);
 

@@ -131,7 +131,7 @@ Claim consistent_enough(const std::string& id, const std::string& place, const R
             text(nees), percent[0], percent[1], percent[2]},
        .number = ClaimNumber{"NEES of the pose", nees},
        .seeds = runs.size()},
-      agrees(nees, 1, nees_margin));
+      is_consistent(nees));
 }
 
 Eigen::Vector3d moduli(const planar::Pose<double>& pose, const Eigen::Vector2d& input,

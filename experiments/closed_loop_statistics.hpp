@@ -77,9 +77,6 @@ std::string text(const std::vector<Tracking>& all, const std::string& what, cons
 /// Mean over the ticks of a run of the pose's NEES; 1 is right.
 double mean_nees(const Run& run, std::size_t robot = 0);
 
-/// The margin of a NEES that counts as 1, as in `consistency`.
-inline constexpr double nees_margin = 0.2;
-
 /// The claim of Examples 5.1 and 5.2 that the estimate that steers is consistent.
 Claim consistent_enough(const std::string& id, const std::string& place, const Runs& runs);
 

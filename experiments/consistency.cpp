@@ -65,7 +65,7 @@ Claim consistent_with_little_noise(int seeds) {
                    .measured = "NEES " + text(mean),
                    .number = ClaimNumber{"mean NEES, little noise", mean},
                    .seeds = seeds},
-                  agrees(mean, 1, 0.2));
+                  is_consistent(mean));
 }
 
 Claim first_estimates(const Result& fej, const Result& ekf) {
@@ -111,7 +111,7 @@ Claim observability_first(const Result& fej, int seeds) {
        .why = "observability removes them (the EKF with position fixes is within 0.2 of 1), but so do "
               "first-estimate Jacobians without it",
        .seeds = runs},
-      !agrees(unobserved, 1, 0.2), in_truth(agrees(unobserved, 1, 0.2) && agrees(observed, 1, 0.2)));
+      !is_consistent(unobserved), in_truth(is_consistent(unobserved) && is_consistent(observed)));
 }
 
 /// Change of the map's error from half of a drive to its end; mean over drives, relative to the error at half.

@@ -23,6 +23,13 @@ Finding found(Answer printed, const Instead& instead) {
   return instead.answer == Answer::shown ? instead.found : Finding::does_not_hold;
 }
 
+/// Why a claim does not hold: the diagnosis `why` if it is shown.
+std::string reason_if_shown(std::string why, Answer diagnosis) {
+  if (why.empty() || diagnosis == Answer::refuted) return "not investigated";
+  return diagnosis == Answer::shown ? why
+                                    : "not known: whether it is as was tested, the interval leaves open";
+}
+
 }  // namespace
 
 Answer is_above(const Interval& i, double bound) {
@@ -75,7 +82,8 @@ Claim assessed(Claim claim, Answer printed, Instead instead) {
     return undecided(std::move(claim), "not as printed; whether as corrected, the interval leaves open");
   claim.finding = found(printed, instead);
   if (claim.finding == Finding::holds) claim.why.clear();
-  if (claim.finding == Finding::does_not_hold && claim.why.empty()) claim.why = "not investigated";
+  if (claim.finding == Finding::does_not_hold)
+    claim.why = reason_if_shown(std::move(claim.why), instead.answer);
   return claim;
 }
 

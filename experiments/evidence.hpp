@@ -54,6 +54,10 @@ Answer is_below(const Interval& interval, double bound);
 /// That the quantity is within `margin` of `value`; margin > 0.
 Answer agrees(const Interval& interval, double value, double margin);
 
+/// That a mean NEES over its degrees of freedom is 1: the one margin of consistency, in all chapters.
+inline constexpr double nees_margin = 0.2;
+inline Answer is_consistent(const Interval& nees) { return agrees(nees, 1, nees_margin); }
+
 /// That the quantity is not exactly `value`: never refuted, as an interval always leaves some difference.
 Answer differs(const Interval& interval, double value);
 
@@ -87,7 +91,8 @@ inline Instead in_truth(Answer answer) { return {Finding::does_not_hold, answer}
 /// The claim with its finding. `printed`: what the thesis says; `instead`: what `why` says.
 /// - printed shown: holds, and `why` goes, as there is nothing to explain;
 /// - printed refuted, `instead` shown: what `instead` is;
-/// - both refuted: does not hold; without a `why`, that is without a diagnosis, it says "not investigated";
+/// - both refuted: does not hold, "not investigated": no `why` that was not shown is printed;
+/// - printed refuted, in_truth() left open: does not hold, and the reason is not known;
 /// - else, or with fewer runs than Claim::least_runs: undecided, and `why` says what was missing.
 /// The source comes from the quotations (quotations.hpp), by the claim's id.
 Claim assessed(Claim claim, Answer printed, Instead instead = in_truth(Answer::refuted));

@@ -63,7 +63,7 @@ Claim consistent(const Runs& runs) {
                     text(joint), text(last), mean_of(each(runs, mapped)).value, text(poses)},
        .number = ClaimNumber{"joint NEES of both robots and their map", joint},
        .seeds = runs.size()},
-      agrees(joint, 1, nees_margin) && agrees(last, 1, nees_margin));
+      is_consistent(joint) && is_consistent(last));
 }
 
 Setup team_on_circle(int robots) {
@@ -88,7 +88,7 @@ Claim any_number(const ExperimentSettings& settings) {
     const Interval nees = mean_of(each(runs, joint_nees));
     last_off_m = mean_of(off_m);
     return {{"{:.3f} m, {}", last_off_m.value, text(nees)},
-            quantile(off_m, 1) < near_m && agrees(nees, 1, nees_margin)};
+            quantile(off_m, 1) < near_m && is_consistent(nees)};
   });
   return assessed(
       "5.3-any-number", "Section 5.2.1",

@@ -17,7 +17,7 @@ namespace incognita::exploring {
 struct Common {
   std::string id;  ///< begins the ids
   std::string place;
-  std::string world;  ///< ends the statements: "in rooms of points"
+  std::string world;  ///< ends the statements with the set-up: "in rooms of 33 points (...)"
 };
 
 /// Translation by mutual information, gaze by (i), (ii), (iii) of the thesis, in their order.
@@ -28,8 +28,8 @@ const std::vector<Strategy>& baselines();
 const std::vector<Strategy>& driving();
 
 /// The claims that `ours` leaves less entropy than each of the rivals (`ID-entropy`), and that it has the
-/// smaller position error (`ID-errors`). Either holds on the condition that it is compared with some of
-/// them if it is shown for these and refuted for others. `who` begins the statements.
+/// smaller position error (`ID-errors`). Either holds on the condition that it is less than some of them
+/// if it is shown for these and refuted for others; the condition names all. `who` begins the statements.
 std::vector<Claim> against(const Common& common, const std::string& who, const Runs& ours,
                            const std::vector<Runs>& rivals);
 
@@ -44,7 +44,7 @@ Claim moves_across(const Common& common, const Runs& runs);
 
 /// That a vehicle drives more than half of its path backward; and that its most frequent decisions are to
 /// drive faster and slower.
-Claim backs_away(const Common& common, const std::string& start, const Runs& runs);
+Claim backs_away(const Common& common, const Runs& runs);
 Claim accelerates(const Common& common, const Runs& runs);
 
 /// Of the runs of our metric beside those that count all, as printed, and those of the baselines: `against` each,

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
-#include "experiments/evidence.hpp"
 #include "incognita/analysis/evaluation/median.hpp"
 #include "incognita/math/quaternion.hpp"
 
@@ -68,8 +66,10 @@ ClaimNumber share_localized(const Runs& runs) {
 
 double entropy_at_the_14th(const Run& run) { return run.extended_when_located(14).value_or(std::nan("")); }
 
-double time_of_the_14th(const Run& run) {
-  return run.located_at_s(14).value_or(std::numeric_limits<double>::infinity());
+double time_until_the_14th(const Run& run) { return run.located_at_s(14).value_or(run.end_s); }
+
+int runs_without_14(const Runs& runs) {
+  return static_cast<int>(std::ranges::count_if(runs, [](const Run& run) { return !run.located_at_s(14); }));
 }
 
 double share_inside_2_sigma(const Run& run) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/compared_numbers.hpp"
+#include "experiments/evidence.hpp"
 #include "experiments/exploring_run.hpp"
 #include "experiments/seeds.hpp"
 #include "incognita/analysis/evaluation/statistics.hpp"
@@ -75,8 +76,9 @@ inline double located(const Run& run) { return static_cast<double>(run.located_t
 /// where there were never 14. Its dimension is always the same: that of the map alone grows with what is mapped
 /// and not located yet.
 double entropy_at_the_14th(const Run& run);
-/// Infinite where there were never 14.
-double time_of_the_14th(const Run& run);
+/// When 14 landmarks were located, or the end of the run where there were never 14: a lower bound.
+double time_until_the_14th(const Run& run);
+int runs_without_14(const Runs& runs);
 /// Of the errors of position, axis by axis, the share inside 2 sigma.
 double share_inside_2_sigma(const Run& run);
 /// Of the moves that a run chose the share across the line of sight, up, down, left and right: two thirds of

@@ -34,6 +34,7 @@ class Gathered {
     summary_.add(s);
     outcome_.add(s);
     run_.map = s.landmarks;
+    run_.end_s = s.tick.t;
     const SnapshotBody& body = s.bodies.at(0);
     run_.actions = body.decision.actions;
     note_returned(s);

@@ -54,6 +54,7 @@ struct Run {
                matches_wrong = 0;  ///< without those of anchors; 0 where identities are given
   double position_rms_m = 0, nees = 0, coverage = 0;
   double entropy_extended = 0;  ///< nats, at the last decision
+  double end_s = 0;             ///< of the run, whether lost or not
 
   /// When so many landmarks were located, and the entropy of camera and map then; none when there were never
   /// so many.

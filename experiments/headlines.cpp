@@ -25,10 +25,11 @@ constexpr Headline all_headlines[] = {
      "One anchor does not make a planar vehicle observable, although the method of the thesis says so: vehicle and map "
      "can rotate about it."},
     {"4.6-rank",
-     "The heading is never observable from bearings: freezing the measurement within a segment counts one rank too many "
-     "(2, 4, 5 in place of 2, 3, 4)."},
+     "In Example 4.6, bearings to two landmarks, the information matrix has rank 2, 3 and 4 of 7 along the motion; freezing "
+     "the measurement within a segment counts one too many (2, 4, 5)."},
     {"5.2-law",
-     "The printed feedback law (5.12) drives the vehicle off its circle; with the sign of (5.9) it follows."},
+     "In Example 5.2 the printed feedback law (5.12) drives a vehicle whose state is known off its circle; with the signs of "
+     "(5.9) and the velocity of the path, whose factor w (5.15) lacks, it follows."},
     {"5.1-control",
      "Control is affected by the estimation: steered by its estimate the vehicle ends farther from its goal than steered by "
      "the truth."},
@@ -36,8 +37,8 @@ constexpr Headline all_headlines[] = {
      "The unscented transformation of the vehicle states reduces the errors of path and map of EKF SLAM after a rigid "
      "fit, as the thesis says."},
     {"6.3-images-i-entropy",
-     "On images a free camera that moves by information gain, as printed, ends with more entropy than one that moves at random; "
-     "with less, if only landmarks that would be mapped are counted."},
+     "On images a free camera that moves by information gain, as printed, gaze at a constant rate, ends with more entropy than "
+     "one on a fixed path, and with less than one that stands."},
     {"6.4.3-backwards",
      "A vehicle that drives by information gain explores backward, as the thesis observed."}};
 

@@ -342,7 +342,7 @@ Claim consistent(const std::string& id, const std::string& place, Setup setup, i
     const Interval nees =
         mean_of(each(simulate_all(setup, seeds), [&](const Run& run) { return run.nees[setup.steps]; }));
     if (n == 1) of_one = nees;
-    return {text(nees), agrees(nees, 1, 0.2)};
+    return {text(nees), is_consistent(nees)};
   });
   return assessed(
       id, place,

@@ -146,7 +146,7 @@ Claim consistent(const Robots& robots, const Drives& d) {
        .number = exactly("NEES of the joint filter, the worst robot", std::ranges::max(nees)),
        .why = "measurements agree with the prediction better than their noises say (NIS below 1), and the "
               "truth worse than the filter says: its errors are not those of white noise"},
-      std::ranges::all_of(nees, [](double x) { return std::abs(x - 1) < 0.2; }),
+      std::ranges::all_of(nees, [](double x) { return std::abs(x - 1) < nees_margin; }),
       in_truth(d.joint.nis < 1 && std::ranges::min(nees) > 1));
 }
 

@@ -9,11 +9,17 @@
 // After a first run, with 40 rooms, gaze by (i) and a vehicle that starts before a wall, the number of rooms, that gaze
 // and that start were changed, and a reason (fewer than one in twenty) was added.
 #include "experiments/common.hpp"
+#include "experiments/comparisons.hpp"
 #include "experiments/exploring_claims.hpp"
 #include "experiments/paired_factor.hpp"
 
 namespace incognita::exploring {
 namespace {
+
+const std::string among_points =
+    "in rooms of 33 points (inverse depths from the first view on; start drawn with 2 cm and 0.02 rad)";
+const std::string for_a_vehicle =
+    "in rooms of 31 points (inverse depths from the first view on, identities given; start in the middle)";
 
 double share_wrong(const Run& run) {
   const auto wrong = static_cast<double>(run.matches_wrong);
@@ -27,8 +33,9 @@ Claim correct_matching(const Runs& nearest) {
   const Interval share = bootstrap_mean(each(nearest, share_wrong));
   return assessed(
       "6.3-nearest-right", "Section 6.3.1",
-      "Nearest neighbor chi-squared tests guarantee correct matching: no match is wrong, in rooms of "
-      "points whose identities are not given",
+      "Nearest neighbor chi-squared tests guarantee correct matching: no match is wrong, identities not given, gaze (i) "
+      "constant rate, " +
+          among_points,
       {.rule = Rule::example,
        .measured = {"{} of {} matches wrong, in {} of {} rooms; share of a room's matches {}", wrong, all,
                     rooms, nearest.size(), text(share)},
@@ -43,7 +50,8 @@ Claim as_good_as_identities(const Runs& given, const Runs& nearest) {
   return assessed(
       "6.3-nearest-errors", "Section 6.3.1",
       "With landmarks matched by nearest neighbor the camera is localized as well as with identities "
-      "that are given: position errors within a factor of 1.25, in rooms of points",
+      "that are given: position errors within a factor of 1.25, gaze (i) constant rate, " +
+          among_points,
       {.rule = Rule::equality,
        .measured = {"error over that with identities: {}; diverged {} and {} of {}", text(error),
                     diverged_of(nearest), diverged_of(given), nearest.size()},
@@ -61,7 +69,8 @@ Claim well_posed(const Runs& runs) {
   return assessed(
       "6.3-well-posed", "Section 6.3.1",
       "Moving by mutual information a free camera avoids moves along its line of sight, which show no depth: forward "
-      "and backward are fewer than their third of all moves, in rooms of points",
+      "and backward are fewer than their third of all moves, identities given, gaze (iii) Fisher information, " +
+          among_points,
       {.rule = Rule::superiority,
        .measured = {"share of a run's moves {}", text(share)},
        .number = ClaimNumber{"share of moves along the line of sight", share},
@@ -80,7 +89,8 @@ Claim hindering_avoided(const Runs& runs) {
   return assessed(
       "7.2-hinder", "Section 7.2",
       "Actions that hinder observability were avoided: a vehicle whose camera looks ahead accelerates straight along "
-      "the line of sight in less than two of seven decisions, their share of Table 6.1, in rooms of points",
+      "the line of sight in less than two of seven decisions, their share of Table 6.1, " +
+          for_a_vehicle,
       {.rule = Rule::superiority,
        .measured = {"share of a run's decisions {}", text(share)},
        .number = ClaimNumber{"share of accelerations along the line of sight", share},
@@ -94,13 +104,17 @@ double returns_per_minute(const Run& run) { return 60 * returns(run) / run.insta
 Claim by_platform(const Runs& camera, const Runs& vehicle) {
   const Interval more_returns = more_than(vehicle, camera, returns_per_minute),
                  more_backward = more_than(camera, vehicle, share_backwards);
+  const std::vector<Comparison> both{
+      claimed_above("returns", {"returns a minute, camera less vehicle", more_returns}, 0),
+      claimed_above("backward", {"share of the path driven backward, vehicle less camera", more_backward},
+                    0)};
   return assessed(
       "6.4-platform", "end of Section 6.4.2",
       fmt::format(
           "The same strategy chooses short loops for a free camera and backward motion for a vehicle: more "
           "landmarks a minute come back after {} s or more out of view to the camera, and the vehicle drives "
-          "a larger share of its path backward, in rooms of points",
-          away_s),
+          "a larger share of its path backward; the camera, gaze (iii), {}, the vehicle {}",
+          away_s, among_points, for_a_vehicle),
       {.rule = Rule::superiority,
        .measured =
            {"camera less vehicle: {} returns a minute ({} and {}); vehicle less camera: {} of the path "
@@ -109,10 +123,10 @@ Claim by_platform(const Runs& camera, const Runs& vehicle) {
             decimals(mean_of(each(vehicle, returns_per_minute)).value, 1), text(more_backward),
             decimals(mean_of(each(vehicle, share_backwards)).value, 2),
             decimals(mean_of(each(camera, share_backwards)).value, 2)},
-       .number = ClaimNumber{"share of the path driven backward, vehicle less camera", more_backward},
+       .number = deciding(both),
        .why = "more landmarks come back to the vehicle",
        .seeds = camera.size()},
-      is_above(more_returns, 0) && is_above(more_backward, 0), in_truth(is_below(more_returns, 0)));
+      all_shown(both), in_truth(is_below(more_returns, 0)));
 }
 
 LedgerEntry run_points_claims(const ExperimentSettings& all_seeds) {

@@ -13,7 +13,10 @@
 namespace incognita::exploring {
 namespace {
 
-const Common by_hand{"6.3.2", "Section 6.3.2", "held in a hand, on images of rendered rooms"};
+const Common by_hand{
+    "6.3.2", "Section 6.3.2",
+    "held in a hand, on images of rendered rooms (at most 50 features of Appendix C, begun as depth lines; "
+    "start before a known sheet)"};
 
 const std::vector<Strategy>& operators() {
   static const std::vector<Strategy> all{
@@ -26,7 +29,7 @@ const std::vector<Strategy>& operators() {
 Claim worse_operator(const std::string& id, const std::string& statement, const Runs& prompt,
                      const Runs& worse) {
   const Interval factor = times(prompt, worse, &Run::position_rms_m);
-  return assessed(id, by_hand.place, statement,
+  return assessed(id, by_hand.place, statement + ", " + by_hand.world,
                   {.rule = Rule::superiority,
                    .measured = {"position error over that of a prompt one: {}; {}; {}", text(factor),
                                 in_numbers(worse), in_numbers(prompt)},

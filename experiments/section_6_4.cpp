@@ -14,7 +14,10 @@
 namespace incognita::exploring {
 namespace {
 
-const Common driven{"6.4", "Section 6.4.2", "over uneven ground in rooms of points"};
+const std::string in_rooms =
+    "in rooms of 31 points (inverse depths from the first view on, identities given; start ";
+const std::string from_a_wall = in_rooms + "1 m before the wall behind it)";
+const Common driven{"6.4", "Section 6.4.2", "over uneven ground " + from_a_wall};
 
 const char* const nine_accelerations =
     "decision.accelerations=[[0, 0], [0, -0.3], [0, 0.3], [-0.5, 0], [0.5, 0], [-0.5, -0.3], [0.5, 0.3], [-0.5, 0.3], "
@@ -25,7 +28,8 @@ Claim one_cycle(const Runs& runs) {
   return assessed(
       "6.4-one-cycle", "Section 6.4.2, Table 6.1",
       "With accelerations that act for one cycle of fifteen the vehicle stays localized: in nine of ten "
-      "rooms or more it ends neither lost nor with an error of 0.5 m",
+      "rooms or more it ends neither lost nor with an error of 0.5 m, " +
+          driven.world,
       {.rule = Rule::frequency,
        .measured = {"{} of {} rooms. {}", kept_of(runs), runs.size(), in_numbers(runs)},
        .number = share_localized(runs),
@@ -37,7 +41,8 @@ Claim all_pairs(const Runs& seven, const Runs& nine) {
   const Interval gap = more_than(seven, nine, final_entropy);
   return assessed(
       "6.4-nine-actions", "Section 6.4.2, Table 6.1",
-      "With the two pairs of opposite signs, which Table 6.1 lacks, the vehicle leaves less entropy",
+      "With the two pairs of opposite signs, which Table 6.1 lacks, the vehicle leaves less entropy, " +
+          driven.world,
       {.rule = Rule::superiority,
        .measured = {"entropy less that with the seven rows: {}. {}", text(gap, "nats"), in_numbers(nine)},
        .number = ClaimNumber{"entropy less that with seven actions", gap, "nats"},
@@ -56,8 +61,8 @@ Claim ground_is_no_reason(const Runs& waves, const Runs& flat) {
       "6.4-bounds-flat", "Figure 6.10",
       fmt::format(
           "The ground is not the reason for errors outside of their 2 sigma bounds: on flat ground less "
-          "than {} % more are inside",
-          100 * a_reason),
+          "than {} % more are inside, {}",
+          100 * a_reason, from_a_wall),
       {.rule = Rule::superiority,
        .measured = {"share inside on flat ground less that on waves: {}", text(more)},
        .number = ClaimNumber{"share inside on flat ground less on waves", more},
@@ -88,7 +93,8 @@ Claim pose_first(const Runs& runs) {
   return assessed(
       "6.4-pose-first", "Section 6.4.2",
       "The selected actions reduce the uncertainty of the camera first, that of unvisited landmarks after it: "
-      "half of the camera's fall of entropy is reached before half of the rest's",
+      "half of the camera's fall of entropy is reached before half of the rest's, " +
+          driven.world,
       {.rule = Rule::superiority,
        .measured = {"time of the one less that of the other: {}", text(lead, "s")},
        .number = ClaimNumber{"time of half the camera's fall less that of the rest", lead, "s"},
@@ -108,8 +114,9 @@ Claim landmarks_in_sight(const Runs& runs) {
   const Interval share = bootstrap_mean(each(runs, without));
   return assessed(
       "6.4-in-sight", "Section 6.4.2",
-      fmt::format("Known landmarks stay in sight: in less than 1 % of the images fewer than {} are measured",
-                  in_sight),
+      fmt::format(
+          "Known landmarks stay in sight: in less than 1 % of the images fewer than {} are measured, {}",
+          in_sight, driven.world),
       {.rule = Rule::superiority,
        .measured = {"share of a run's images with fewer: {}", text(share)},
        .number = ClaimNumber{"share of images with fewer than three landmarks", share},
@@ -144,7 +151,8 @@ Claim velocities_underestimated(const Runs& runs) {
   return assessed(
       "6.4-underestimated", "Figure 6.10",
       "Where the terrain changes abruptly the velocities are underestimated in the direction in which it "
-      "changes: vertically, in the tenth of the images in which the vertical speed changes most",
+      "changes: vertically, in the tenth of the images in which the vertical speed changes most, " +
+          driven.world,
       {.rule = Rule::superiority,
        .measured = {"estimated less true vertical speed in the direction of its change: {}",
                     text(lag, "m/s")},
@@ -163,13 +171,13 @@ LedgerEntry run_section_6_4(const ExperimentSettings& all_seeds) {
              impulses = one("accelerations of one cycle", {"decision.impulse_s=0.0666667"}),
              nine = one("nine actions", {nine_accelerations}),
              flat = one("flat ground", {"terrain.amplitude_m=0.0001"});
-  const Common from_a_wall{"6.4-from-a-wall", driven.place, driven.world};
+  const Common in_the_middle{driven.id, driven.place, "over uneven ground " + in_rooms + "in the middle)"},
+      before_a_wall{"6.4-from-a-wall", driven.place, driven.world};
   return entry_of(
       section_6_4, settings,
       {with_numbers(against(driven, "Driving by mutual information", runs[0], {runs[1], runs[2], runs[3]}),
                     in_numbers(runs)),
-       backs_away(driven, "in the middle of the room", from_the_middle),
-       backs_away(from_a_wall, "1 m before the wall behind it", runs[0]), pose_first(runs[0]),
+       backs_away(in_the_middle, from_the_middle), backs_away(before_a_wall, runs[0]), pose_first(runs[0]),
        landmarks_in_sight(runs[0]), inside_its_bounds(driven, "Figure 6.10", runs[0]),
        ground_is_no_reason(runs[0], flat), velocities_underestimated(runs[0]), one_cycle(impulses),
        all_pairs(runs[0], nine)},

@@ -45,12 +45,12 @@ Claim linear_case_is_inconsistent(int seeds) {
     const Interval nees = mean_of(
         each(simulate_all(setup, count), [&](const monobot::Run& run) { return run.nees[setup.steps]; }));
     if (n == 1) of_one = nees;
-    return {text(nees), agrees(nees, 1, 0.1)};
+    return {text(nees), is_consistent(nees)};
   });
   return assessed(
       "abstract-inconsistency", "Abstract",
       "Linearisation alone is not the only cause of inconsistency: partial observability makes the linear filter "
-      "inconsistent (mean NEES over its degrees of freedom, after 100 steps without an anchor, not within 0.1 of 1)",
+      "inconsistent (mean NEES over its degrees of freedom, after 100 steps without an anchor, not within 0.2 of 1)",
       {.rule = Rule::equality,
        .measured = "NEES by number of landmarks: " + consistent.text(),
        .number = ClaimNumber{"mean NEES of the linear filter without an anchor", of_one},

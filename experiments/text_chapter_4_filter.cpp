@@ -176,7 +176,8 @@ Interval distance_nees(const Drive& settings, const Runs& runs, std::size_t k) {
 }
 
 Claim diverges(int seeds) {
-  constexpr double least_growth = 0.05, margin = 0.3;
+  constexpr double least_growth = 0.05;
+  const int runs_at_rest = 4 * seeds;  // the NEES of one number is wide
   const std::vector<Vector2d> features{feature_ahead, feature_aside};
   const std::vector<std::pair<std::string, Drive>> unobservable{
       {"at rest", constant_drive({0, 0}, features)},
@@ -197,7 +198,7 @@ Claim diverges(int seeds) {
   const auto nees_at_rest = [&](Linearized linearized) {
     Drive driven = unobservable.front().second;
     driven.linearized = linearized;
-    return distance_nees(driven, runs_of(driven, {20}, seeds), 0);
+    return distance_nees(driven, runs_of(driven, {20}, runs_at_rest), 0);
   };
   const Interval ekf = nees_at_rest(Linearized::at_estimates),
                  first = nees_at_rest(Linearized::at_first_estimates);
@@ -207,16 +208,17 @@ Claim diverges(int seeds) {
       "not observable, grows by more than 5 % from 10 to 20 s at rest, turning on the spot and driving "
       "straight at it",
       {.rule = Rule::boundedness,
-       .measured = {"it grows {}. NEES of the distance after 20 s at rest: EKF {}, with first-estimate "
-                    "Jacobians {}",
-                    fmt::join(lines, ", "), text(ekf), text(first)},
+       .measured =
+           {"it grows {}. NEES of the distance after 20 s at rest, {} runs: EKF {}, with first-estimate "
+            "Jacobians {}",
+            fmt::join(lines, ", "), runs_at_rest, text(ekf), text(first)},
        .number = number,
        .why =
            "the error remains what it was: the filter is marginally stable. The EKF states less than that, not "
            "because it is unobservable but by Jacobians at changing estimates: with those at first estimates "
-           "the NEES is within 0.3 of 1",
+           "the NEES is within 0.2 of 1",
        .seeds = seeds},
-      all_grow, in_truth(none_grows && is_above(ekf, 1) && agrees(first, 1, margin)));
+      all_grow, in_truth(none_grows && is_above(ekf, 1) && is_consistent(first)));
 }
 
 /// Rms errors after 20 s, of the first sigmas.

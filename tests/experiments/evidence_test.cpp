@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "experiments/comparisons.hpp"
+
 namespace incognita {
 namespace {
 
@@ -77,10 +79,21 @@ TEST(Evidence, ReasonsStayOnlyWithVerdictsThatNeedThem) {
   EXPECT_EQ(assessed(claim, false, in_truth(true)).finding, Finding::does_not_hold);
   EXPECT_EQ(assessed(claim, false, as_corrected(false)).finding, Finding::does_not_hold);
   EXPECT_EQ(assessed(claim, false).finding, Finding::does_not_hold);
-  EXPECT_EQ(assessed(claim, false).why, "because");
+  EXPECT_EQ(assessed(claim, false, in_truth(true)).why, "because");
   claim.why.clear();
+  EXPECT_EQ(assessed(claim, false, in_truth(true)).why, "not investigated");
   EXPECT_EQ(assessed(claim, false).why, "not investigated");
   EXPECT_EQ(assessed(claim, true).why, "");
+}
+
+TEST(Evidence, AReasonThatIsNotShownIsNotPrinted) {
+  Claim claim;
+  claim.why = "because";
+  EXPECT_EQ(assessed(claim, false).why, "not investigated");
+  EXPECT_EQ(assessed(claim, false, in_truth(false)).why, "not investigated");
+  EXPECT_EQ(assessed(claim, false, as_corrected(false)).why, "not investigated");
+  EXPECT_EQ(assessed(claim, false, in_truth(Answer::undecided)).why,
+            "not known: whether it is as was tested, the interval leaves open");
 }
 
 TEST(Evidence, NotSignificantIsNotFalse) {
@@ -104,6 +117,34 @@ TEST(Evidence, TooFewRunsAreUndecided) {
   }
   claim.runs = enough_runs;
   EXPECT_EQ(assessed(claim, true).finding, Finding::holds);
+}
+
+const Comparison shown = claimed_below("standing", {"less", {-3, -4, -2}}, 0),
+                 barely = claimed_below("a path", {"barely less", {-1, -1.9, -0.1}}, 0),
+                 refuted = claimed_below("at random", {"more", {2, 1, 3}}, 0),
+                 open_answer = claimed_below("a sweep", {"open", {9, -1, 20}}, 0);
+
+TEST(Comparisons, AClaimIsCitedByTheOneItTurnsOn) {
+  EXPECT_EQ(deciding({shown, barely}).what, "barely less");
+  EXPECT_EQ(deciding({shown, barely, open_answer}).what, "open");
+  EXPECT_EQ(deciding({shown, open_answer, refuted}).what, "more");
+  const Comparison above = claimed_above("a", {"far above", {9, 8, 10}}, 0),
+                   near = claimed_above("b", {"just above", {1, 0.5, 1.5}}, 0);
+  EXPECT_EQ(deciding({above, near}).what, "just above");
+}
+
+TEST(Comparisons, AreShownIfAllAre) {
+  EXPECT_EQ(all_shown({shown, barely}), Answer::shown);
+  EXPECT_EQ(all_shown({shown, open_answer}), Answer::undecided);
+  EXPECT_EQ(all_shown({shown, open_answer, refuted}), Answer::refuted);
+  EXPECT_EQ(any_shown({refuted, open_answer}), Answer::undecided);
+  EXPECT_EQ(any_shown({refuted, open_answer, shown}), Answer::shown);
+}
+
+TEST(Comparisons, TheConditionNamesAllRivals) {
+  EXPECT_EQ(condition("less than", {open_answer, refuted, shown, barely}),
+            "less than standing, a path; not less than at random; undecided against a sweep");
+  EXPECT_EQ(condition("less than", {refuted}), "not less than at random");
 }
 
 }  // namespace

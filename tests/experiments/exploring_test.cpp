@@ -79,5 +79,14 @@ TEST(Exploring, CountsReturningLandmarks) {
   EXPECT_GT(returned, 0);
 }
 
+TEST(Exploring, ARunWithout14LandmarksCountsWithItsEnd) {
+  exploring::Run run;
+  run.end_s = 35;
+  run.located_t_s.assign(13, 2);
+  EXPECT_EQ(time_until_the_14th(run), 35);
+  run.located_t_s.push_back(7);
+  EXPECT_EQ(time_until_the_14th(run), 7);
+}
+
 }  // namespace
 }  // namespace incognita::exploring

@@ -150,7 +150,7 @@ TEST(Turn, BeyondTheMotionModelIsFollowed) {
   EXPECT_LT(t.error().tail<3>().norm(), 0.01);
 }
 
-/// The image with the landmarks of the estimate as they are, in front of another wall that the camera sees turned.
+/// The image with the landmarks of the estimate, as much as their patches need at half the resolution, in front of another wall that the camera sees turned.
 std::shared_ptr<const Image> before_turned_wall(const Estimate& estimate, double turn_rad) {
   static const Wall behind(1.4, 50);
   CameraState turned = estimate.camera_state();
@@ -161,8 +161,9 @@ std::shared_ptr<const Image> before_turned_wall(const Estimate& estimate, double
   for (const Match& match : estimate.last.matches) {
     if (match.predicted.size() == 0) continue;
     const Eigen::Vector2i at = match.predicted.array().round().cast<int>();
-    for (int y = std::max(at.y() - 9, 0); y <= std::min(at.y() + 9, image.height() - 1); ++y)
-      for (int x = std::max(at.x() - 9, 0); x <= std::min(at.x() + 9, image.width() - 1); ++x)
+    constexpr int half_px = 14;
+    for (int y = std::max(at.y() - half_px, 0); y <= std::min(at.y() + half_px, image.height() - 1); ++y)
+      for (int x = std::max(at.x() - half_px, 0); x <= std::min(at.x() + half_px, image.width() - 1); ++x)
         image(x, y) = landmarks(x, y);
   }
   return std::make_shared<const Image>(std::move(image));

@@ -7,9 +7,9 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOM = "1004"
+ROOM = "1102"
 # Those whose result does not depend on how a processor rounds the last bit, which may change an action: in this room, they are the same
-# to nine digits with AVX-512 and with SSE2. With an earlier mapper, the map error of mutual information differed by a factor of 2.5
+# to nine digits with AVX-512 and with SSE2; in room 1104, the map error of the plan differs by a sixth
 COMPARED = ("map-room", "decision.strategy=lawn-mower decision.max_elevation_rad=0.8 decision.gaze_rate_rad_s=0.4")
 SHARE_WITHIN, ERROR_WITHIN = 0.05, 1.5  # largest difference, and largest ratio
 

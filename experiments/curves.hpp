@@ -1,6 +1,7 @@
 // Curves of figures, from what they are drawn of.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -53,6 +54,10 @@ Curve outlines_of(const std::string& label, Color color, const Range& range, con
   curve.color = color;
   return curve;
 }
+
+/// With as many corners of lines and bands as a page of figures can carry, 60 kB of SVG: of longer ones those are left
+/// out that the others pass nearest by. A figure with fewer stays as it is.
+Plot thinned(const Plot& plot, std::size_t most_corners = 6'000);
 
 /// A panel of curves over time.
 inline Panel time_panel(const std::string& title, const std::string& y_label,

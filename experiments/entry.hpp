@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/curves.hpp"
 #include "incognita/messages/errors.hpp"
 #include "incognita/report/experiment.hpp"
 #include "incognita/report/plot.hpp"
@@ -27,11 +28,11 @@ inline std::vector<Claim> concatenated(std::initializer_list<ClaimPart> parts) {
   return all;
 }
 
-/// Draws the plots into the output folder.
+/// Draws the plots into the output folder, thinned().
 inline LedgerEntry entry_of(const Experiment& experiment, const ExperimentSettings& settings,
                             std::initializer_list<ClaimPart> parts, const std::vector<Plot>& plots = {}) {
   LedgerEntry entry{experiment.id, experiment.title, "", concatenated(parts), {}};
-  for (const Plot& plot : plots) entry.figures.push_back(draw_plot(settings.out, plot, nullptr));
+  for (const Plot& plot : plots) entry.figures.push_back(draw_plot(settings.out, thinned(plot), nullptr));
   return entry;
 }
 

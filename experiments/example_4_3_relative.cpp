@@ -5,6 +5,7 @@
 // column; also at rest. The thesis prints matrices of r = p - x_f; ours is x_f - p.
 #include "experiments/common.hpp"
 #include "experiments/observability_claims.hpp"
+#include "incognita/io/formats/system_file.hpp"
 
 namespace incognita::observability_claims {
 namespace {
@@ -39,6 +40,40 @@ Studies maps_of_three() { return by_features({1, 2, 3}, relative_map("planar-cv"
 /// A row of H or H F in the printed order of states, with the printed sign of r.
 Eigen::RowVectorXd as_printed(const Eigen::RowVectorXd& row) {
   return (Eigen::RowVectorXd(6) << -row.tail(2), row.head(4)).finished();
+}
+
+/// (4.50) against derivatives of the motion by the states: those of the program, and by central differences.
+Claim error_dynamics() {
+  const SymbolicSystem system = make_symbolic(load_system("planar-cv", "relative"));
+  const SystemInstance instance(system, 1, 0);
+  MatrixXd printed = MatrixXd::Zero(6, 6), to_printed(6, 6);
+  printed(0, 3) = printed(1, 4) = printed(2, 5) = 1;
+  for (int i = 0; i < 6; ++i) to_printed.row(i) = as_printed(VectorXd::Unit(6, i).transpose());
+  to_printed.transposeInPlace();  // from our states to the printed ones, r = p - x_f
+  const auto in_our_order = [&](const MatrixXd& F) -> MatrixXd {
+    return to_printed.transpose() * F * to_printed;
+  };
+  const double of_program =
+      largest(relative(), [&](const Course& c) { return apart(c.exact[0].F, in_our_order(printed)); });
+  const double of_differences = largest(relative(), [&](const Course& c) {
+    constexpr double h = 1e-3;
+    MatrixXd F(6, 6);
+    for (int i = 0; i < 6; ++i) {
+      SystemPoint more = c.points[0], less = c.points[0];
+      more.x[i] += h, less.x[i] -= h;
+      F.col(i) = (instance.rate(more) - instance.rate(less)) / (2 * h);
+    }
+    return apart(F, in_our_order(printed));
+  });
+  return studied(
+      "4.3-relative-F", "(4.49), (4.50)",
+      "F of one feature relative to a vehicle of constant velocity on the plane is the derivative of its "
+      "motion, the same at all states; to 1e-9",
+      {.printed = "r' = v, theta' = omega, v' = 0, omega' = 0",
+       .measured = {"largest difference at {} random states: from exact derivatives {}, from central "
+                    "differences {}",
+                    motions, below(of_program), below(of_differences)}},
+      of_program < rounding && of_differences < rounding);
 }
 
 Claim first_segment() {
@@ -191,8 +226,8 @@ Claim never_fully_observable() {
 }  // namespace
 
 std::vector<Claim> planar_cv_relative_claims() {
-  return concatenated({first_segment(), one_segment(), more_segments(), more_features(), must_move(),
-                       never_fully_observable()});
+  return concatenated({error_dynamics(), first_segment(), one_segment(), more_segments(), more_features(),
+                       must_move(), never_fully_observable()});
 }
 
 }  // namespace incognita::observability_claims

@@ -168,6 +168,8 @@ std::span<const Quotation> quotations_of_chapter_4() {
        "is contained in the null space basis of F_j, the condition (4.10) is met and the used of the SOM is valid."},
       {"4.3-three-anchors-two-segments", "4.1.3",
        "In two time segments, the null space basis of the SOM is empty as in the case with two anchors. Consequently the TOM is full rank in two time segments for more than two anchors."},
+      {"4.3-relative-F", "4.1.3",
+       "Using the relative position between the features and camera, the system with only one feature becomes"},
       {"4.3-relative-Q1", "4.1.3",
        "The instantaneous observability matrix using the measurement matrix in (4.24) considering one features results in"},
       {"4.3-relative-null-space", "4.1.3", "and the nullspace basis of this matrix is"},

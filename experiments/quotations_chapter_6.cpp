@@ -23,6 +23,8 @@ std::span<const Quotation> quotations_of_chapter_6() {
        "Under a Fisher information motion strategy, maximally informative actions move the robot as close as possible to the landmarks under observation."},
       {"6.1-fully-correlated", "6.1.1",
        "From then on, entropy can still be used to decide what actions to take to reduce the camera’s own uncertainty, and this can be done just by replacing [...]"},
+      {"6.9-most-informative", "6.2",
+       "The objective is to move the camera in the direction that maximally reduces state estimation uncertainty by taking into account the mutual information between states and measurements maximising the information that can be acquired for any given action."},
       {"6.1-mutual-or-entropy", "6.2",
        "it must be computed different priors for all actions. In such a case, computing the mutual information seems to be a better choice compared to the evaluation of entropy only."},
       // Section 6.3: a free camera, in rooms of points and on images

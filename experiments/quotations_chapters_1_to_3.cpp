@@ -1,4 +1,4 @@
-// What Chapters 1 to 3 of the thesis say, by claim, with the abstract and Appendix A.2 as far as it is about them.
+// What Chapters 1 to 3 of the thesis say, by claim, with the abstract and Appendix A as far as it is about them.
 #include "experiments/quotations.hpp"
 
 namespace incognita {
@@ -22,7 +22,7 @@ std::span<const Quotation> quotations_of_chapters_1_to_3() {
           {"text-1-decorrelation", "1.4",
            "The estimated system could be unstable depending on whether the system is observable or not."},
 
-          // Chapter 2 and Appendix A.2
+          // Chapter 2 and Appendix A
           {"text-2.1-nonholonomic", "2.1",
            "a class of mechanical systems characterised by kinematic constraints that are not integrable [84]. [...] a vehicle with two forward drive wheels and two back side wheels cannot move sideways."},
           {"text-2.2-precision", "2.2",
@@ -52,6 +52,10 @@ std::span<const Quotation> quotations_of_chapters_1_to_3() {
            "is approximately a Gaussian random variable with mean and covariances matrices defined by"},
           {"text-3.1-lower-bound", "2.2",
            "the absolute accuracy of the map reaches a lower bound defined only by the initial vehicle uncertainty [78]"},
+          {"text-A.1-closed-loop", "A.1",
+           "Finally, replacing the system from (A.1.3) and (A.1.4) in (A.1.5), the closed-loop system becomes"},
+          {"text-A.1-prediction", "A.1",
+           "In order to compute the optimal filter gain for the linear system one needs: [...] The state prediction covariance"},
           {"text-A.2-joseph", "A.2",
            "It is revised with the Joseph form to [...] guarantee positive semi-definiteness"},
 
@@ -131,6 +135,8 @@ std::span<const Quotation> quotations_of_chapters_1_to_3() {
           // Example 3.2
           {"3.2-relative-map", "3.1",
            "Note that even when the relative map is internally consistent, it is slightly rotated and shifted from the actual beacon locations."},
+          {"3.2-trunks", "3.1",
+           "The landmarks used are tree trunks, as measured with a laser range finder."},
           {"3.2-start", "3.1", "The amount of this shift [...] depends on the initial vehicle uncertainty"},
 
           // Example 3.3

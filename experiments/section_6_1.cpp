@@ -125,6 +125,39 @@ Plot figure(const Plane& plane) {
           {map, by_angle}};
 }
 
+/// Figure 6.3: the covariance of camera and map, extended by expected landmarks, known to nothing but 5 m^2.
+Plot extended_covariance() {
+  constexpr int expected = 4;
+  RandomStream random(3, "figure-6.3");
+  Plane plane;
+  measure_often(plane, 10, random);
+  const MatrixXd P = plane.belief.dense_covariance();
+  const auto n = static_cast<int>(P.rows()), all = n + 2 * expected;
+  MatrixXd extended = 5 * MatrixXd::Identity(all, all);
+  extended.topLeftCorner(n, n) = P;
+  Curve mapped{"camera and map", Style::circles, {}, {}, {}, Color::blue},
+      unmapped{"expected landmarks", Style::circles, {}, {}, {}, Color::orange};
+  std::vector<Curve> sigmas{mapped, unmapped};
+  for (int i = 0; i < all; ++i) {
+    Curve& sigma = sigmas[i < n ? 0 : 1];
+    sigma.x.push_back(i + 1), sigma.y.push_back(std::sqrt(extended(i, i)));
+    for (int j = 0; j < all; ++j) {
+      if (extended(i, j) == 0) continue;
+      Curve& entries = i < n ? mapped : unmapped;
+      entries.x.push_back(j + 1), entries.y.push_back(all - 1 - i);
+    }
+  }
+  Panel entries{"(a) entries other than zero", "column", "row", {mapped, unmapped}, true};
+  entries.x_range = {0.5, all + 0.5}, entries.y_range = {-0.5, all - 0.5};
+  for (int row = all; row > 0; --row) entries.y_names.push_back(std::to_string(row));
+  Panel states{"(b) sigma by state", "state", "m or rad", sigmas};
+  states.log_y = true, states.x_range = entries.x_range;
+  return {"fig-6.3",
+          "Covariance of a camera and its map, extended by four expected landmarks",
+          2,
+          {entries, states}};
+}
+
 int best_way(const Plane& plane) {
   int best = 0;
   for (int d = -180; d < 180; d += 3)
@@ -275,11 +308,12 @@ LedgerEntry run_section_6_1(const ExperimentSettings& settings) {
       section_6_1, settings,
       {identities(plane), conditional_entropy(), where_it_is_best(plane), fisher_claims(), once_correlated(),
        choice_claims(10 * settings.seeds), surface_claims(10 * settings.seeds)},
-      {figure(plane)});
+      {figure(plane), extended_covariance()});
 }
 
 }  // namespace
 
-const Experiment section_6_1{"6.1", "What metrics of information say", {"fig-6.2"}, run_section_6_1};
+const Experiment section_6_1{
+    "6.1", "What metrics of information say", {"fig-6.2", "fig-6.3"}, run_section_6_1};
 
 }  // namespace incognita

@@ -1,9 +1,10 @@
-// Claims in the running text of Chapter 2, and of Appendix A.2.
+// Claims in the running text of Chapter 2, and of Appendix A.
 //
 // Experiment: the monobot of monobot.hpp, from its start and from one with the robot known to 1 m and
 // landmarks initialized from measurements; 300 steps unless said. Vehicle of the plane: standing at the
 // origin, known to 0.5 m and 10 degrees; a landmark 10 m ahead, 100 measurements of 0.1 m and 1, 3 or 10
-// degrees. Initializations: 100000 draws. Joseph form: 2000 covariances and measurement noises. Holds: sequences
+// degrees. Initializations: 100000 draws. Joseph form: 2000 covariances and measurement noises. Appendix A.1: 1000
+// random systems of two to six states with a known input, against weighted least squares. Holds: sequences
 // as claimed (rounding of 1e-12 allowed), closed forms to 1e-9 relative, variances of draws to 3 %, means over
 // runs by their intervals.
 #include "experiments/boundedness.hpp"
@@ -302,6 +303,92 @@ Claim joseph_form() {
       least >= -rounding_error);
 }
 
+/// One step of a linear filter with known input, noise added to the state, as in (A.1.1) and (A.1.2).
+struct FilterStep {
+  LinearSystem s;  ///< with G = I of the process noise
+  MatrixXd G, P;   ///< of the input; covariance before
+  VectorXd x, u, z;
+};
+
+FilterStep drawn_step(RandomStream& random) {
+  const int n = 2 + random.below(5), m = 1 + random.below(n), inputs = 1 + random.below(3);
+  const auto any = [&](int rows, int columns) -> MatrixXd {
+    return MatrixXd::NullaryExpr(rows, columns, [&] { return random.normal(); });
+  };
+  const auto covariance = [&](int size) -> MatrixXd {
+    const MatrixXd root = any(size, size);
+    return root * root.transpose() + 0.1 * MatrixXd::Identity(size, size);
+  };
+  FilterStep step;
+  step.s.F = any(n, n), step.s.G = MatrixXd::Identity(n, n), step.s.H = any(m, n);
+  step.s.Q = covariance(n), step.s.R = covariance(m);
+  step.G = any(n, inputs), step.P = covariance(n);
+  step.x = any(n, 1), step.u = any(inputs, 1), step.z = any(m, 1);
+  return step;
+}
+
+/// The state after the step by weighted least squares over the states before and after: without the filter's
+/// equations. With the measurement its estimate, without it its covariance.
+struct LeastSquares {
+  VectorXd estimate;
+  MatrixXd covariance;
+};
+
+LeastSquares least_squares(const FilterStep& step, bool measured) {
+  const auto n = step.x.size();
+  const MatrixXd W = step.s.Q.inverse(), V = step.s.R.inverse(), prior = step.P.inverse();
+  MatrixXd motion(n, 2 * n), information = MatrixXd::Zero(2 * n, 2 * n);
+  motion << -step.s.F, MatrixXd::Identity(n, n);
+  VectorXd right = motion.transpose() * W * step.G * step.u;
+  information = motion.transpose() * W * motion;
+  information.topLeftCorner(n, n) += prior;
+  right.head(n) += prior * step.x;
+  if (measured) {
+    information.bottomRightCorner(n, n) += step.s.H.transpose() * V * step.s.H;
+    right.tail(n) += step.s.H.transpose() * V * step.z;
+  }
+  const MatrixXd covariance = information.inverse();
+  return {(covariance * right).tail(n), covariance.bottomRightCorner(n, n)};
+}
+
+std::vector<Claim> filter_in_one_step() {
+  constexpr int cases = 1000;
+  RandomStream random(1, "appendix-a.1");
+  double of_steps = 0, of_least_squares = 0, of_prediction = 0;
+  for (int i = 0; i < cases; ++i) {
+    const FilterStep step = drawn_step(random);
+    const auto& [F, none, H, Q, R] = step.s;
+    const MatrixXd P = F * step.P * F.transpose() + Q, K = kalman_gain(step.s, P);  // (A.1.7)
+    const VectorXd expected = F * step.x + step.G * step.u,                         // (A.1.3)
+        updated = expected + K * (step.z - H * expected),                           // (A.1.4), (A.1.5)
+        closed = (F - K * H * F) * step.x + (step.G - K * H * step.G) * step.u + K * step.z;
+    of_steps = std::max(of_steps, relative_difference(closed, updated));
+    of_least_squares =
+        std::max(of_least_squares, relative_difference(closed, least_squares(step, true).estimate));
+    of_prediction = std::max(of_prediction, relative_difference(P, least_squares(step, false).covariance));
+  }
+  return {
+      assessed(
+          "text-A.1-closed-loop", "(A.1.6)",
+          "The closed form of a step of the Kalman filter, linear and with known input, is its prediction "
+          "followed by its update, and the least squares estimate; to 1e-9 relative",
+          {.printed = "(F - KHF) x + (G - KHG) u + K z",
+           .measured = {"largest difference in {} random systems: from (A.1.3) to (A.1.5) {}, from least "
+                        "squares over both states {}",
+                        cases, below(of_steps), below(of_least_squares)},
+           .runs = cases},
+          of_steps < 1e-9 && of_least_squares < 1e-9),
+      assessed(
+          "text-A.1-prediction", "(A.1.7)",
+          "F P F' + Q is the covariance of the predicted state where the noise is added to the state, as "
+          "in (A.1.1); to 1e-9 relative",
+          {.printed = "F P F' + Q_k",
+           .measured = {"largest difference from least squares over both states in {} random systems: {}",
+                        cases, below(of_prediction)},
+           .runs = cases},
+          of_prediction < 1e-9)};
+}
+
 Claim nonholonomic() {
   const DifferentialDrive at_axle;
   double sideways = 0;
@@ -367,9 +454,9 @@ Claim stationary_vehicle(int seeds) {
 
 std::vector<Claim> chapter_2_claims(int seeds) {
   return concatenated({nonholonomic(), precision_increases(), vehicle_is_bounded(), correlations_grow(),
-                       optimal(), joseph_form(), dependent_errors(), stationary_vehicle(seeds),
-                       riccati_depends(), riccati_needs_observability(), initial_covariance(), lower_bound(),
-                       bound_is_reached()});
+                       optimal(), joseph_form(), filter_in_one_step(), dependent_errors(),
+                       stationary_vehicle(seeds), riccati_depends(), riccati_needs_observability(),
+                       initial_covariance(), lower_bound(), bound_is_reached()});
 }
 
 }  // namespace incognita

@@ -43,6 +43,27 @@ class SmallSvg(unittest.TestCase):
         self.assertEqual(small_svg(three), '<g b="1">' + "<path stroke='r'  d='M1,1l1,0M1,1l1,0'/>" +
                          "<path stroke='b'  d='M1,1l1,0'/></g>")
 
+    def test_what_groups_share_is_stated_once(self):
+        lines = '<g fill="none" color="{}" stroke="currentColor" stroke-linecap="round" stroke-linejoin="round">'
+        texts = '<g transform="translate(1,2)" fill="rgb(51, 0,255)" font-family="DejaVu Sans" font-size="{}">'
+        self.assertEqual(
+            small_svg('<g id="gnuplot_canvas">\n' + lines.format("black") + "\n\t" + texts.format("13.00") +
+                      "<text> a  b </text>\n</g></g>" + lines.format("#FFFFFF") + texts.format("9") + "<text>c</text></g></g></g>"),
+            '<g id="gnuplot_canvas" fill="none" color="black" stroke="currentColor" stroke-linecap="round" stroke-linejoin="round" '
+            'font-family="DejaVu Sans" font-size="13.00">'
+            '<g><g transform="translate(1,2)" fill="#3300ff"><text> a  b </text></g></g>'
+            '<g color="#FFFFFF"><g transform="translate(1,2)" fill="#3300ff" font-size="9"><text>c</text></g>'
+            '</g></g>')
+
+    def test_tics_of_an_axis_are_joined(self):
+        def tic(y, number):
+            return (f"<g w=\"1\"><path stroke='a' class=\"gridline\"  d='M1.00,{y}.00 L9.00,{y}.00'/></g>"
+                    f"<g w=\"2\"><path stroke='b'  d='M1.00,{y}.00 L2.00,{y}.00'/><g><text>{number}</text></g></g>")
+        self.assertEqual(small_svg(tic(3, "x") + tic(5, "y") + "<g><text>z</text></g>"),
+                         "<g w=\"1\"><path stroke='a' class=\"gridline\"  d='M1,3l8,0M1,5l8,0'/></g>"
+                         "<g w=\"2\"><path stroke='b'  d='M1,3l1,0M1,5l1,0'/><g><text>x</text></g><g><text>y</text></g></g>"
+                         "<g><text>z</text></g>")
+
     def test_curves_stay(self):
         curve = "<path d='M1.00,1.00 C2,2 3,3 4,4'/>"
         self.assertEqual(small_svg(curve), curve)

@@ -302,7 +302,8 @@ TEST(ProgramRun, EndsWithASummary) {
                            "trajectory   ATE ", "map          ", "consistency  consistent: NEES ",
                            "decisions    2\n", "speed        ", "results      run\n"})
     EXPECT_SAYS(ended.out, line);
-  EXPECT_LE(std::count(ended.out.begin(), ended.out.end(), '\n'), 12);
+  EXPECT_LE(std::count(ended.out.begin(), ended.out.end(), '\n'), 13)
+      << "a line each, and one on the innovations";
   EXPECT_SAYS(ended.err, "scale: fixed by 4 anchors");
   EXPECT_SILENT_ON(ended.err, "results");
   const nlohmann::json said = testing::summary_of(scratch.folder() / "run")["consistency"];

@@ -154,6 +154,8 @@ TEST(TextOfChapters1To3, Verdicts) {
                                          {"text-2.2-bounded", yes},
                                          {"text-2.2-correlations", yes},
                                          {"text-2.2.1-optimal", yes},
+                                         {"text-A.1-closed-loop", yes},
+                                         {"text-A.1-prediction", yes},
                                          {"text-A.2-joseph", yes},
                                          {"text-2.2.3-dependent", yes},
                                          {"text-2.2.3-stationary", yes},

@@ -15,9 +15,9 @@ namespace incognita {
 /// At most three steps from `start`, px, which must be nearer than about a pixel; the last one counts even if the next would
 /// be longer than a hundredth of a pixel: where part of the patch is hidden it is still better than the peak of the correlation.
 ///
-/// `texture_from_view`: texture pixels per view pixel, 2x2, as for warp(). Nothing when the patch and two pixels around it are
-/// not all in the image and in the texture, when the patch has no gradient along some direction, or when a step leads more than a
-/// pixel away from `start`.
+/// `texture_from_view`: texture pixels per view pixel, 2x2, as for warp(). Nothing when the patch and one pixel around it are not
+/// in the image, or two pixels around it not in the texture, when the patch has no gradient along some direction, or when a
+/// step leads more than a pixel away from `start`.
 std::optional<Eigen::Vector2d> align_patch(const Image& image, const PatchTexture& texture,
                                            const Eigen::Matrix2d& texture_from_view, int size,
                                            const Eigen::Vector2d& start);

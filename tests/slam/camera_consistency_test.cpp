@@ -118,8 +118,7 @@ TEST(CameraConsistency, NeesOfThePoseIsInTheBandOfChiSquare) {
   }
 }
 
-/// Told the truth about the noise of a match and about its error that lasts, the filter has innovations as large as it predicts,
-/// and in the first seconds slightly smaller ones.
+/// With the noise of room.toml innovations are smaller than predicted, but nearer to it than with 0.4 px of white noise.
 /// Where the settings of the scenario come from: docs/consistency.md.
 TEST(CameraConsistency, WithLastingErrorsAsStatesNisIsNearerToOne) {
   CameraSlamSettings all_white = setup().loaded.scenario.slam;

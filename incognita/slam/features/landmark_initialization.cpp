@@ -96,7 +96,8 @@ Occupied occupied(const Estimate& estimate, const TrackedCamera& tracked) {
 
 namespace {
 
-/// Side of the textures, px: as much as aligning a patch needs at the greatest change of distance, map.max_scale.
+/// Side of the textures, px: as much as aligning a patch needs at the greatest change of distance, map.max_scale, if the camera is not
+/// turned about its optical axis.
 int texture_side(const CameraSlamSettings& settings) {
   const double half = settings.search.patch_size_px / 2 + 2.5;
   return 2 * static_cast<int>(std::ceil(half * std::min(settings.map.max_scale, 4.0))) + 1;

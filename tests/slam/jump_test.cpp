@@ -150,7 +150,8 @@ TEST(Turn, BeyondTheMotionModelIsFollowed) {
   EXPECT_LT(t.error().tail<3>().norm(), 0.01);
 }
 
-/// The image with the landmarks of the estimate, as much as their patches need at half the resolution, in front of another wall that the camera sees turned.
+/// Cut-outs around the landmarks, as large as their patches need at half the resolution, in front of another wall that the camera
+/// sees turned.
 std::shared_ptr<const Image> before_turned_wall(const Estimate& estimate, double turn_rad) {
   static const Wall behind(1.4, 50);
   CameraState turned = estimate.camera_state();

@@ -73,6 +73,26 @@ TEST(AlignPatch, FindsASharpCornerAtAnyFractionOfAPixel) {
   EXPECT_GT(errors.peak(), 0.05) << "what is repaired";
 }
 
+/// From half a pixel away: a step that ignored the gain would be too short.
+TEST(AlignPatch, FollowsBrightnessAndContrastFromHalfAPixel) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Image then = Pattern(seed, 35).drawn(60, 50), now = Pattern(seed, 14).drawn(60, 50, 0, 0, 170);
+    const auto texture = cut_texture(then, Vector2d(30, 25), texture_px, half_px);
+    const auto at = align_patch(now, *texture, same, patch_px, {30.4, 24.7});
+    ASSERT_TRUE(at) << seed;
+    EXPECT_LT((*at - Vector2d(30, 25)).norm(), 0.03) << seed;
+  }
+}
+
+TEST(AlignPatch, RefusesANegative) {
+  const Image image = Pattern(8, 35).drawn(60, 50);
+  Image negative(60, 50);
+  for (int v = 0; v < 50; ++v)
+    for (int u = 0; u < 60; ++u) negative(u, v) = static_cast<std::uint8_t>(255 - image(u, v));
+  EXPECT_FALSE(align_patch(negative, *cut_texture(image, Vector2d(30, 25), texture_px, half_px), same,
+                           patch_px, {30, 25}));
+}
+
 TEST(AlignPatch, FollowsBrightnessAndContrast) {
   RandomStream random(3, "shifts");
   Errors errors;
@@ -153,10 +173,11 @@ TEST(AlignPatch, NeedsGradientsInEveryDirection) {
 }
 
 TEST(AlignPatch, RefusesWhatIsFartherThanAPixel) {
-  const Image image = Pattern(7, 35).drawn(60, 50), moved = Pattern(7, 35).drawn(60, 50, 2, 0);
-  const auto texture = cut_texture(image, Vector2d(30, 25), texture_px, half_px);
-  const auto at = align_patch(moved, *texture, same, patch_px, {30, 25});
-  EXPECT_TRUE(!at || (*at - Vector2d(30, 25)).cwiseAbs().maxCoeff() <= 1);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Image image = Pattern(seed, 35).drawn(60, 50), moved = Pattern(seed, 35).drawn(60, 50, 2, 0);
+    const auto texture = cut_texture(image, Vector2d(30, 25), texture_px, half_px);
+    EXPECT_FALSE(align_patch(moved, *texture, same, patch_px, {30, 25})) << seed;
+  }
 }
 
 }  // namespace

@@ -92,10 +92,6 @@ Occupied occupied(const Estimate& estimate, const TrackedCamera& tracked) {
   return taken;
 }
 
-}  // namespace
-
-namespace {
-
 /// Side of the textures, px: as much as aligning a patch needs at the greatest change of distance, map.max_scale, if the camera is not
 /// turned about its optical axis.
 int texture_side(const CameraSlamSettings& settings) {
